@@ -162,8 +162,9 @@ inline Command_line command_line(Options& options)
      "move to where the energy is lowest")
     ("conditions", po::value(&options.conditions)->value_name("FILE"),
      "lines for vertices that are not free. A line begins with the reference or the name of triangles, or with 'vertex' and an "
-     "index. It ends with fixed, free, plane and a normal, or a coordinate such as z=1. A fixed vertex is at its target in "
-     "TARGET, or keeps its position. A plane with a normal goes through the same point")
+     "index. A name with blanks needs quotes. It ends with fixed, free, plane and a normal, or a coordinate such as z=1. A fixed "
+     "vertex is at its target in TARGET, or keeps its position. A plane with a normal goes through the same point. --others is "
+     "about boundary vertices without a target and a line, here with the default free")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
      "the treatment of interior vertices with a target. met: they meet the target. free: they ignore it. auto: they meet it if "
      "some vertices have no target. A copy of SOURCE.mesh has one for all. Vertices between cells of different references then "
@@ -254,8 +255,8 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
     options.refinement = "boundary"; // as the library refines for a boundary parameterizer
   if(!options.conditions.empty() && given["others"].defaulted())
     options.others = "free";
-  if(options.others == "free" && given["energy"].defaulted())
-    options.energy = "symmetric_dirichlet"; // which has a minimum
+  if((options.others == "free" || !options.conditions.empty()) && given["energy"].defaulted())
+    options.energy = "symmetric_dirichlet"; // which has a minimum if a part of the boundary is free
   if(options.do_improve && given["energy"].defaulted())
     options.energy = "mips"; // which does not compare sizes, so small cells stay small
   return true;

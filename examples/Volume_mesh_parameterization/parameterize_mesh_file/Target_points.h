@@ -4,8 +4,10 @@
 
 #include "Command_line.h"
 #include "Named_choices.h"
+#include "Progress_line.h"
 #include "mend_source.h"
 
+#include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
@@ -13,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -35,13 +38,17 @@ inline Inside named_inside(const std::string& name)
                            { {"auto", Inside::AUTO}, {"free", Inside::FREE}, {"met", Inside::MET} });
 }
 
+// Conditions of vertices, and the targets to which these refer.
 struct Target_points
 {
-  Points points;                    // not numbers for a vertex without a target
-  std::vector<char> is_constrained; // vertices inside that meet theirs, and those of the boundary that must not slide
-  std::vector<std::size_t> inside = {}; // vertices inside that are to meet theirs
-  std::vector<CGAL::Volume_mesh_parameterization::Vertex_condition_3> conditions = {}; // in place of these marks, if there are any
+  Points points; // not numbers for a vertex without a target
+  // Unless the boundary is free, its vertices without a condition slide, or are at their targets.
+  std::vector<CGAL::Volume_mesh_parameterization::Vertex_condition_3> conditions;
+  bool is_boundary_free = false;
+  std::vector<std::size_t> inside = {}; // vertices inside that are to meet their targets
 };
+
+using Condition = CGAL::Volume_mesh_parameterization::Vertex_condition_3;
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
 
@@ -89,25 +96,30 @@ inline std::vector<char> vertices_to_meet(const CGAL::Volume_mesh_parameterizati
   return result;
 }
 
-// Completes the targets on the boundary. There, vertices need not be met.
-inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Others others,
+// Finds what vertices on the boundary may do if no line is about them. There, vertices need not be met.
+inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Options& options,
                               Target_points& target, std::vector<char>& is_met)
 {
+  const Others others = named_others(options.others);
   for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
   {
     is_met[v] = false;
-    target.is_constrained[v] = others == Others::SLIDE && has_target(target.points, v);
-    if((others == Others::STAY || others == Others::SLIDE) && !has_target(target.points, v))
+    const bool is_given = has_target(target.points, v), stays = others == Others::MISSING || others == Others::STAY;
+    const bool moves = options.do_slide ? !is_given || others != Others::SLIDE : !is_given && !stays;
+    target.conditions[v] = moves ? Condition::free() : Condition::at_target();
+    if(!is_given && (others == Others::STAY || others == Others::SLIDE))
       target.points[v] = soup.points[v];
   }
 }
 
-// Completes the targets of a file. Of a copy of the mesh, vertices at interfaces are met if one of them has moved inside:
-// otherwise only the boundary of the copy was moved.
+// Finds what vertices may do by TARGET and the options. Of a copy of the mesh, vertices at interfaces are met if one of them has
+// moved inside: otherwise only the boundary of the copy was moved.
 inline Target_points target_points(const Source& source, Points points, const Options& options)
 {
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup = source.soup;
-  Target_points result = { std::move(points), std::vector<char>(soup.points.size(), false) };
+  const Others others = named_others(options.others);
+  Target_points result = { std::move(points), std::vector<Condition>(soup.points.size()),
+                           !options.conditions.empty() || others == Others::FREE };
   if(options.are_displacements)
     displace(soup.points, result.points);
   const Inside inside = named_inside(options.inside);
@@ -120,45 +132,60 @@ inline Target_points target_points(const Source& source, Points points, const Op
         return true;
     return false;
   };
-  const Others others = named_others(options.others);
-  if(are_interfaces_alone && others != Others::SLIDE && !has_moved())
+  if(are_interfaces_alone && !result.is_boundary_free && others != Others::SLIDE && !has_moved())
     return result; // without the boundary, for which facets are matched
-  complete_boundary(soup, others, result, is_met);
+  complete_boundary(soup, options, result, is_met);
   if(inside == Inside::FREE || (are_interfaces_alone && !has_moved()))
     return result;
   for(std::size_t v = 0; v < soup.points.size(); ++v)
     if(is_met[v])
     {
-      result.is_constrained[v] = true;
+      result.conditions[v] = Condition::at_target();
       result.inside.push_back(v);
     }
   return result;
 }
 
+// Replaces the conditions of vertices for which a file has lines. Returns false if the time is over.
+inline bool read_conditions(const Source& source, const Options& options, Progress_line& progress, Target_points& target)
+{
+  const auto vertices_of_index = [&](const std::size_t index) { return source.vertices_of(index); };
+  if(!CGAL::Volume_mesh_parameterization::IO::read_vertex_conditions(options.conditions, source.soup, vertices_of_index,
+       target.conditions, target.points, CGAL::parameters::visitor(std::ref(progress))))
+    return false;
+  const auto is_freed = [&](const std::size_t v) { return target.conditions[v].kind() != Condition::AT_TARGET; };
+  target.inside.erase(std::remove_if(target.inside.begin(), target.inside.end(), is_freed), target.inside.end());
+  return true;
+}
+
 // Keeps the boundary where it is, and inside interfaces and the vertices of triangles.
 inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
-  Target_points result = { soup.points, vertices_of_interfaces(soup) };
+  Target_points result = { soup.points, std::vector<Condition>(soup.points.size()) };
+  const std::vector<char> is_at_interface = vertices_of_interfaces(soup);
+  for(std::size_t v = 0; v < soup.points.size(); ++v)
+    if(is_at_interface[v])
+      result.conditions[v] = Condition::at_target();
   for(const auto& facet : soup.facets)
     for(const std::size_t v : facet)
-      result.is_constrained[v] = true;
+      result.conditions[v] = Condition::at_target();
   for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
-    result.is_constrained[v] = false; // it may slide
+    result.conditions[v] = Condition::free(); // it may slide
   return result;
 }
 
-// Finds which vertices are at their targets and which are free: a vertex of the boundary is at its target if it has one, and one
-// inside if this is asked for.
-inline void free_others(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, Target_points& target)
+// The library names a boundary vertex without a target by its place; with a file, it has a number.
+inline void name_missing_target(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+                                const Target_points& target)
 {
-  using Condition = CGAL::Volume_mesh_parameterization::Vertex_condition_3;
-  target.conditions.resize(soup.points.size());
-  for(std::size_t v = 0; v < soup.points.size(); ++v)
-    if(target.is_constrained[v])
-      target.conditions[v] = Condition::at_target();
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
-    if(has_target(target.points, v))
-      target.conditions[v] = Condition::at_target();
+  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(mesh.points, mesh.cells))
+    if(!has_target(target.points, v) && !(target.is_boundary_free && target.conditions[v].kind() == Condition::FREE))
+      throw CGAL::Volume_mesh_parameterization::Input_error(
+        (options.target.empty() ? options.conditions : options.target) + ": vertex " + std::to_string(v)
+        + " (counted from 0) is on the boundary of the source, but has no target"
+        + (options.conditions.empty() ? "" : " and no condition")
+        + ". --others stay keeps the positions of such vertices; --others "
+        + (options.conditions.empty() ? "slide lets them slide in planes of the boundary" : "free lets them move"));
 }
 
 // Counts the targets inside that a map meets of those it is to meet.
@@ -177,11 +204,13 @@ inline std::size_t number_of_free_targets(const Target_points& target, const Poi
   return result;
 }
 
-// Counts the vertices of cells that have each condition, in the order of its kinds.
+// Counts the vertices of a free boundary that have each condition, in the order of its kinds.
 inline std::array<std::size_t, 4> numbers_of_conditions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
                                                         const Target_points& target)
 {
   std::array<std::size_t, 4> result = {};
+  if(!target.is_boundary_free)
+    return result;
   for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
     if(v < target.conditions.size()) // not one of refinement
       ++result[target.conditions[v].kind()];

@@ -14,6 +14,8 @@
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -40,20 +42,22 @@ struct Mapped_mesh
   Result result = {};
 };
 
+// Returns a property map of the vertices that are at their targets. There are none on a domain.
+inline auto is_at_target_map(const Target_points& target)
+{
+  return boost::make_function_property_map<std::size_t>([&](const std::size_t v)
+  { return v < target.conditions.size() && target.conditions[v].kind() == Condition::AT_TARGET; });
+}
+
 // Splits all bridges. The new vertices have no targets.
 inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto np = params::visitor(std::ref(progress));
-  const std::size_t result = mapped.target.is_constrained.empty()
-    ? VMP::make_parameterizable(mapped.mesh, np)
-    : VMP::make_parameterizable(mapped.mesh,
-                                np.vertex_is_constrained_map(CGAL::make_property_map(mapped.target.is_constrained)));
+  const std::size_t result = VMP::make_parameterizable(
+    mapped.mesh, params::visitor(std::ref(progress)).vertex_is_constrained_map(is_at_target_map(mapped.target)));
   const std::size_t n = mapped.mesh.points.size();
   mapped.target.points.resize(n, { nan, nan, nan });
-  mapped.target.is_constrained.resize(n, false);
-  if(!mapped.target.conditions.empty())
-    mapped.target.conditions.resize(n);
+  mapped.target.conditions.resize(n);
   if(!mapped.initial.empty())
     mapped.initial.resize(n, { nan, nan, nan });
   return result;
@@ -84,11 +88,11 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
     };
     const auto map = [&](const auto& np)
     {
-      if(!mapped.target.conditions.empty())
+      if(mapped.target.is_boundary_free)
         return map_to(np.vertex_condition_map(CGAL::make_property_map(mapped.target.conditions)));
       const auto sliding = np.do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE);
       if(options.domain.empty())
-        return map_to(sliding.vertex_is_constrained_map(CGAL::make_property_map(mapped.target.is_constrained)));
+        return map_to(sliding.vertex_is_constrained_map(is_at_target_map(mapped.target)));
       const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes));
       const Result result = std::visit([&](const auto& boundary)
       {

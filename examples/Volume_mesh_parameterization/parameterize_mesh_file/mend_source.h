@@ -40,12 +40,31 @@ struct Source
   // Returns the mesh that other files refer to, with the vertices and cells of its file.
   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
 
+  // Returns the vertices of the mesh that a vertex of the file has become; none if there is no such vertex in the file.
+  std::vector<std::size_t> vertices_of(const std::size_t v) const
+  {
+    const std::size_t n = in_file().points.size();
+    if(v >= n)
+      return {};
+    std::vector<std::size_t> result = { first_points.empty() ? v : first_points[v] };
+    for(std::size_t i = 0; i < origins.size(); ++i)
+      if(origins[i] == result.front())
+        result.push_back(n + i);
+    return result;
+  }
+
   // Takes points of the file to the mesh. A point without one has coordinates that are not numbers.
   Points carried(Points points) const
   {
     for(std::size_t v = 0; v < first_points.size(); ++v)
-      if(std::isnan(points[first_points[v]][0]))
-        points[first_points[v]] = points[v];
+    {
+      std::array<double, 3>& point = points[first_points[v]];
+      if(std::isnan(point[0]))
+        point = points[v];
+      else if(!std::isnan(points[v][0]) && points[v] != point)
+        throw CGAL::Volume_mesh_parameterization::Input_error("vertices " + std::to_string(first_points[v]) + " and "
+          + std::to_string(v) + " (counted from 0) are merged, but have different points here");
+    }
     for(const std::size_t v : origins)
       points.push_back(std::array<double, 3>(points[v]));
     return points;

@@ -14,7 +14,6 @@
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
-#include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
@@ -161,23 +160,18 @@ Outcome run(const Options& options, Progress_line& progress)
     Points points = targets_of_file(name, source.in_file(), progress, notes);
     for(const std::string& note : notes)
       print_note(name, note);
-    return source.carried(std::move(points));
+    return naming(name, [&] { return source.carried(std::move(points)); });
   };
   Target_points target;
-  if(has_file)
-  {
-    const Points points = read_points(options.target);
-    target = naming(options.source, [&] { return target_points(source, points, options); });
-  }
-  if(!has_file && !options.conditions.empty())
-    target = { Points(mesh.points.size(), { nan, nan, nan }), std::vector<char>(mesh.points.size(), false) };
-  if(named_others(options.others) == Others::FREE)
-    naming(options.source, [&] { free_others(mesh, target); return 0; });
-  if(!options.conditions.empty() && !VMP::IO::read_vertex_conditions(options.conditions, mesh, target.conditions, target.points,
-                                                                     CGAL::parameters::visitor(std::ref(progress))))
-    throw Interruption();
   if(options.do_improve)
     target = naming(options.source, [&] { return targets_to_improve(mesh); });
+  else if(options.domain.empty())
+  {
+    const Points points = has_file ? read_points(options.target) : Points(mesh.points.size(), { nan, nan, nan });
+    target = naming(options.source, [&] { return target_points(source, points, options); });
+  }
+  if(!options.conditions.empty() && !read_conditions(source, options, progress, target))
+    throw Interruption();
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
@@ -185,8 +179,8 @@ Outcome run(const Options& options, Progress_line& progress)
   mesh = std::move(mapped.mesh);
   target = std::move(mapped.target);
   const Result& result = mapped.result;
-  if(has_file && result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
-    name_missing_target(options.target, mesh, target.points);
+  if(result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET)
+    name_missing_target(options, mesh, target);
   Outcome outcome = { exit_code(result), error_code_name(result.status), result };
   outcome.seconds_reading = seconds_reading;
   outcome.seconds_boundary = result.seconds_boundary;
@@ -204,7 +198,7 @@ Outcome run(const Options& options, Progress_line& progress)
     return outcome;
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
-  if(has_file && outcome.exit_code == SUCCESS && target.conditions.empty() && !options.do_slide
+  if(has_file && outcome.exit_code == SUCCESS && !target.is_boundary_free && !options.do_slide
      && named_others(options.others) != Others::SLIDE)
     outcome.number_of_free_targets = number_of_free_targets(target, mapped.uvw);
   source.complete_images(mapped.uvw);

@@ -7,9 +7,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
-#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <iterator>
@@ -31,18 +29,6 @@ inline Points targets_of_file(const std::string& filename, const CGAL::Volume_me
   if(!is_complete)
     throw Interruption();
   return result;
-}
-
-// The library names a boundary vertex without a target by its place; with a file, it has a number.
-inline void name_missing_target(const std::string& filename,
-                                const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh, const Points& targets)
-{
-  namespace VMP = CGAL::Volume_mesh_parameterization;
-  for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
-    if(std::isnan(targets[v][0]))
-      throw VMP::Input_error(filename + ": vertex " + std::to_string(v)
-                             + " (counted from 0) is on the boundary of the source, but has no target. --others stay keeps the "
-                               "positions of such vertices; --others slide lets them slide in planes of the boundary");
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_TARGETS_OF_FILE_H
