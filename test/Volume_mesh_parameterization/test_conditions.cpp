@@ -662,3 +662,35 @@ TEST_CASE("Random conditions give maps that meet them, or a sentence")
 }
 
 } } // namespace
+
+// The Hessian is singular at the minimum, and the gradient nothing but rounding.
+TEST_CASE("A motion of the body that the conditions leave open is no failure of the solver")
+{
+  using namespace of_conditions;
+  const Vector3d low(0, 0, 0), high(3, 3, 3), side(3, 0, 3);
+  const auto is_at = [](const Vector3d& q) { return [=](const Vector3d& p) { return p == q; }; };
+  const auto scaled_by = [](const double factor) { return [=](const Vector3d& p) -> Vector3d { return factor * p; }; };
+  for(const double factor : { 1., 1.125, 0.8 })
+  {
+    std::vector<Problem> problems(7, Problem(source_soup(cube_mesh(3))));
+    for(std::size_t i = 0; i < 5; ++i)
+      problems[i].set(is_at(low), Condition::at_target(), scaled_by(factor)); // the body turns around a vertex
+    problems[1].set(is_at(high), Condition::in_plane(0, 0, 1), scaled_by(factor));
+    problems[2].set(is_at(side), Condition::in_plane(0, 1, 0), scaled_by(factor));
+    problems[3].set(is_at(high), Condition::on_line(0, 0, 1), scaled_by(factor));
+    problems[4].set(is_at(high), Condition::at_target(), scaled_by(factor)); // around a line
+    problems[5].set(is_at(low), Condition::in_plane(0, 0, 1), scaled_by(factor)); // and moves in a plane
+    problems[6].set([](const Vector3d& p) { return p[2] == 0; }, Condition::in_plane(0, 0, 1), scaled_by(factor));
+    for(std::size_t i = 0; i < problems.size(); ++i)
+    {
+      CAPTURE(factor, i);
+      const VMP::Parameterization_result result = problems[i].run();
+      CAPTURE(result.message);
+      CHECK(result.status == VMP::OK);
+      CHECK(problems[i].has_positive_cells());
+      CHECK(problems[i].meets_conditions());
+      if(factor == 1 || i != 4) // a rigid motion meets the conditions
+        CHECK(result.distortion.angle_max == Approx(2).margin(1e-4));
+    }
+  }
+}

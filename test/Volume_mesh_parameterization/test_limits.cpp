@@ -219,7 +219,7 @@ TEST_CASE("A visitor is told of rounds over the boundary and over hexahedra, and
     VMP::Hexahedron_soup_3 mesh;
     const VMP::Hexahedral_mesh_result result
       = VMP::make_hexahedral_mesh_3(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
-    return result.is_interrupted ? VMP::ERROR_INTERRUPTED : result.status;
+    return result.status;
   });
 
   // rounds are no steps of the map
@@ -245,5 +245,21 @@ TEST_CASE("A mesh that is read")
     const bool is_read = VMP::IO::read_MEDIT(in, soup, params::visitor(std::ref(visitor)));
     CHECK(soup.cells.empty() == !is_read);
     return !is_read;
+  });
+}
+
+// A stage that is not begun has no direction, which is no fault of a number.
+TEST_CASE("A map that is valid from the beginning is interrupted for no other reason")
+{
+  const VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(3));
+  check_ends([&](Impatient_visitor& visitor)
+  {
+    std::vector<std::array<double, 3> > images;
+    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+      soup, soup.points, images,
+      params::initial_map(CGAL::make_property_map(soup.points)).visitor(std::ref(visitor)));
+    CAPTURE(result.message);
+    CHECK(result.message.find("not finite") == std::string::npos);
+    return result.status == VMP::ERROR_INTERRUPTED;
   });
 }

@@ -20,14 +20,24 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets.
+// Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets. If cells are
+// too flat for the linear solver, they move before all others.
 inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                   const Search_start_3& start)
 {
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
-  if(found.status == OK && !problem.options.do_slide)
+  if(problem.options.do_slide)
+    return found;
+  if(found.status == OK)
     found = minimize_map_3(system, problem, std::move(found));
+  const auto are_cells_too_flat = [&] { return found.status == ERROR_LINEAR_SOLVER_FAILED && found.map.is_valid(); };
+  constexpr int maximum_number_of_rounds = 3; // a guess
+  for(int round = 0; round < maximum_number_of_rounds && are_cells_too_flat(); ++round)
+  {
+    found.map = evaluated_map(mesh, relaxed_flat_cells_3(mesh, problem.solver, found.map.positions, problem.progress.budget()));
+    found = minimize_map_3(system, problem, std::move(found));
+  }
   return found;
 }
 
@@ -103,6 +113,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
   if(is_more_wanted ? progress.is_interrupted() : progress.was_interrupted())
   {
     found.status = ERROR_INTERRUPTED;
+    found.reason.clear(); // of a stage that was ended
     found.splits = {};
   }
   return found;

@@ -68,9 +68,11 @@ public:
   Linear_solver_status solve(const double* const b, double* const x, const double tolerance,
                              const std::function<bool()>& may_continue) override
   {
+    const Eigen::Map<const Eigen::VectorXd> right(b, m_residual.size());
+    const double unit = unit_of(right);
     m_number_of_iterations = 0;
     m_solution.setZero();
-    m_residual = Eigen::Map<const Eigen::VectorXd>(b, m_residual.size()).template cast<NT>();
+    m_residual = (right / unit).template cast<NT>();
     double rz = precondition_after([](int, int) {});
     m_direction = m_preconditioned;
     const double target = tolerance * tolerance * rz;
@@ -92,7 +94,7 @@ public:
       rz = advance(static_cast<NT>(rz / curvature));
       turn(static_cast<NT>(rz / previous));
     }
-    Eigen::Map<Eigen::VectorXd>(x, m_solution.size()) = m_solution.template cast<double>();
+    Eigen::Map<Eigen::VectorXd>(x, m_solution.size()) = unit * m_solution.template cast<double>();
     if(!std::isfinite(rz))
       return Linear_solver_status::FAILED;
     if(rz < 0 && status == Linear_solver_status::SUCCESS) // the preconditioner has met negative curvature
@@ -109,6 +111,14 @@ private:
   // bits for any number of threads.
   static constexpr int rows_per_range = 1024; // a guess
   static_assert(rows_per_range % Aggregate_hierarchy_3::rows_per_aggregate == 0);
+
+  // Returns a power of two that is 1 unless squares of the right side, one of displacements by rounding only, would underflow.
+  static double unit_of(const Eigen::Map<const Eigen::VectorXd>& right)
+  {
+    constexpr double small = 1e-10; // a guess
+    const double largest = right.size() == 0 ? 0 : right.lpNorm<Eigen::Infinity>();
+    return largest > 0 && largest < small ? std::ldexp(1., std::ilogb(largest)) : 1;
+  }
 
   std::size_t number_of_row_ranges() const { return (m_inverse_diagonal.size() / 9 + rows_per_range - 1) / rows_per_range; }
 

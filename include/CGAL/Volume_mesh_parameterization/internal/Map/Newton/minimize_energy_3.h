@@ -62,8 +62,13 @@ public:
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
   }
 
+  // If the body may turn, the matrix is singular. It may then fail to be definite where the gradient is nothing but rounding.
   bool is_converged(const double negligible_gain) const
-  { return m_iterate.direction.is_exact() && relative_gain() <= negligible_gain; }
+  {
+    constexpr double rounding = 1e-20; // a guess; relative to the energy, far above the square of the precision
+    return (m_iterate.direction.is_exact() && relative_gain() <= negligible_gain)
+        || m_iterate.direction.gain_of_single_vertices <= rounding * least_energy();
+  }
 
 private:
   bool move(const double negative_curvature, const Budget& budget)
@@ -77,8 +82,10 @@ private:
   double relative_gain() const
   {
     const double slope = m_iterate.direction.slope;
-    return slope == 0 ? 0 : -slope / (std::max)(m_scale, m_iterate.evaluation.energy);
+    return slope == 0 ? 0 : -slope / least_energy();
   }
+
+  double least_energy() const { return (std::max)(m_scale, m_iterate.evaluation.energy); }
 
   // Tighter as the minimum is near, so that the last step meets it (Eisenstat and Walker, Choosing the forcing terms in an
   // inexact Newton method, SIAM Journal on Scientific Computing 17, 1996).
@@ -174,10 +181,10 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
   std::string reason;
   const auto status = [&]() -> std::optional<Error_code>
   {
-    if(!iterate.direction.is_usable())
-      return ERROR_LINEAR_SOLVER_FAILED;
     if(minimizer.is_converged(negligible_gain))
       return OK;
+    if(!iterate.direction.is_usable())
+      return ERROR_LINEAR_SOLVER_FAILED;
     if(iterate.step_length == 0)
     {
       reason = "No step along the Newton direction lowers the energy. If the energy is your own, check_derivatives() compares its "

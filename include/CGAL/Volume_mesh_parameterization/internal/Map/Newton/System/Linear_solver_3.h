@@ -55,6 +55,7 @@ public:
   virtual std::string name() const = 0;
   // The pattern is that of the rows of this process, if it is not alone.
   virtual std::unique_ptr<Linear_system_3> make_system(Sparsity_pattern_3 pattern, const Communicator_3& communicator) = 0;
+  virtual bool does_iterate() const { return false; } // otherwise it factorizes
   virtual std::size_t number_of_iterations() const { return 0; }      // in all systems; 0 if it does not iterate
   virtual std::size_t number_of_own_iterations() const { return number_of_iterations(); } // asks no other process
   virtual std::size_t number_of_cut_solutions() const { return 0; }   // those not as exact as asked for, and not replaced
@@ -96,6 +97,7 @@ public:
   explicit Linear_solver_of(Solver& solver) : m_solver(solver) {}
 
   std::string name() const override { return boost::typeindex::type_id<Solver>().pretty_name(); }
+  bool does_iterate() const override { return boost::is_detected<Number_of_iterations, Solver>::value; }
   std::size_t number_of_iterations() const override { return m_number_of_iterations; }
   std::size_t number_of_cut_solutions() const override { return m_number_of_cut_solutions - number_of_replaced_solutions; }
 

@@ -27,6 +27,8 @@ struct Newton_direction_3
   double gradient_norm = 0;
   double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
   VectorXd slopes;    // what each row has of it, of this process
+  // about what unknowns gain that move alone; known if the matrix is not positive definite
+  double gain_of_single_vertices = std::numeric_limits<double>::infinity();
 
   double decrement() const { return std::sqrt((std::max)(0., -slope)); }
 

@@ -115,9 +115,8 @@ public:
     const std::size_t iterations_before = m_solver.number_of_own_iterations();
     Newton_direction_3 result = direction_by(*m_system, energy, u, negative_curvature, tolerance, budget);
     const bool is_cut = result.status == Linear_solver_status::ITERATION_LIMIT;
-    // rounding makes a semi-definite matrix indefinite, and there is none of less negative curvature to be tried
-    const bool is_lost = result.status == Linear_solver_status::NOT_POSITIVE_DEFINITE && negative_curvature == 0
-      && iterations_before > 0;
+    // rounding makes a semi-definite matrix indefinite, or infinite, and there is none of less negative curvature to be tried
+    const bool is_lost = !result.is_usable() && negative_curvature == 0 && m_solver.does_iterate();
     return direction_by_factorization_if(is_cut || is_lost, std::move(result), iterations_before, energy, u, negative_curvature,
                                          budget);
   }
@@ -178,8 +177,24 @@ private:
         direction = solve(system, gradient, tolerance, budget);
       }
       direction.is_of_semidefinite_matrix = negative_curvature == 0;
+      if(direction.status == Linear_solver_status::NOT_POSITIVE_DEFINITE)
+        direction.gain_of_single_vertices = gain_of_single_vertices(gradient, hessian);
       return direction;
     }, system.matrix());
+  }
+
+  // Returns a lower bound of what the unknowns gain if each moves alone; infinity if a number is infinite.
+  template <typename NT>
+  double gain_of_single_vertices(const Positions& gradient, const Block_sparse_matrix_3<NT>& hessian) const
+  {
+    double sum = 0;
+    for(int row = 0; row < m_number_of_own_rows; ++row)
+      if(const double squares = gradient.col(row).squaredNorm(); squares > 0)
+      {
+        const double stiffness = hessian.block(hessian.position(row, row)).trace();
+        sum += std::isfinite(stiffness) ? squares / stiffness : std::numeric_limits<double>::infinity();
+      }
+    return m_communicator.sum(sum);
   }
 
   template <typename NT>
