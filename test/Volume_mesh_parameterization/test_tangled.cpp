@@ -132,3 +132,52 @@ TEST_CASE("A flat cell on the boundary is split")
     CHECK(soup.points[v] == before[v]);
   }
 }
+
+// A vertex is hardly above a facet of the boundary. Numbers of the linear system then differ by up to 1e45.
+TEST_CASE("A cell that is flat but for rounding is repaired")
+{
+  using namespace tangled_test;
+  for(const double height : { 1e-9, 1e-12, 1e-15 })
+    for(const int n : { 3, 8 })
+    {
+      CAPTURE(height, n);
+      Soup soup = source_soup(cube_mesh(n));
+      tangle(soup, [&](auto& p) { if(p == std::array<double, 3>{1, 1, 1}) p = { height, 1. / 3, 2. / 3 }; });
+      REQUIRE(number_of_bad_cells(soup) == 0);
+      const VMP::Parameterization_result result = improve(soup, params::energy(VMP::MIPS_energy_3()));
+      CAPTURE(result.message);
+      CHECK(result.status == VMP::OK);
+      CHECK(number_of_bad_cells(soup) == 0);
+      CHECK(result.distortion.angle_max < 4.2);
+    }
+}
+
+// Edges inside whose ends stay are no reason to split: the parts would be less regular.
+TEST_CASE("Refinement leaves a mesh alone that needs none, and splits cells that stay distorted")
+{
+  using namespace tangled_test;
+  Soup soup = source_soup(cube_mesh(4));
+  tangle(soup, [](auto& p) { if(p[0] == 2 && p[1] == 2) p[0] += 1.5; });
+  REQUIRE(number_of_bad_cells(soup) > 0);
+  Soup refined = soup;
+  improve(soup, params::energy(VMP::MIPS_energy_3()));
+  const auto refine = [](Soup& mesh)
+  {
+    return improve(mesh, params::energy(VMP::MIPS_energy_3()).do_refine(true)
+                               .refinement_mode(VMP::Refinement_mode::BOUNDARY));
+  };
+  CHECK(refine(refined).number_of_added_vertices == 0);
+  CHECK(refined.points == soup.points);
+
+  Soup sliver = source_soup(cube_mesh(3));
+  add_flat_cell(sliver);
+  sliver.points[sliver.cells.back()[3]][2] = 0.05; // the fourth vertex of the cell is now inside of the cube
+  REQUIRE(number_of_bad_cells(sliver) == 0);
+  Soup split = sliver;
+  const VMP::Parameterization_result without = improve(sliver, params::energy(VMP::MIPS_energy_3())), with = refine(split);
+  CHECK(with.status == VMP::OK);
+  CHECK(with.number_of_added_vertices > 0);
+  CHECK(with.number_of_added_vertices < 4); // of one cell, not of all bridges
+  CHECK(with.distortion.angle_max < without.distortion.angle_max / 2);
+  CHECK(with.energy < without.energy);
+}

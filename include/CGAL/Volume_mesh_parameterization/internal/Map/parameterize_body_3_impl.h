@@ -231,8 +231,7 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
       take(made);
   if(problem.options.refinement != Refinement_mode::NEEDED && problem.options.mode != Boundary_mode::SOFT
      && checked.check.allows_soft_boundary() && checked.check.is_refinable)
-    if(const auto made = split_bridges_3(body, checked.numbered, prescription, problem.solver,
-                                         problem.progress); !made.empty())
+    if(const auto made = split_bridges_3(body, checked.numbered, prescription, problem); !made.empty())
       take(made);
 
   std::size_t number_of_splits = 0;

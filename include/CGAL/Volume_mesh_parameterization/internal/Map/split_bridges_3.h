@@ -17,6 +17,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/find_map_3.h>
 
+#include <set>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Marks the points of bridges: of edges, facets and cells inside whose vertices are all prescribed, as those across a gap
@@ -50,12 +52,37 @@ inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3&
   return snapped(mesh, initial + displacements);
 }
 
+// Splits the edges, facets and cells inside that belong to distorted prescribed cells.
+inline std::vector<Insertion_3> split_distorted_cells_3(Body_3& body, const Numbered_body_3& numbered, const Budget& budget)
+{
+  std::set<Simplex_3> simplices;
+  for(const std::size_t c : distorted_prescribed_cells_3(numbered.mesh))
+  {
+    Simplex_3 cell;
+    for(const int v : numbered.mesh.cells[c])
+      cell.push_back(numbered.points[v]);
+    std::sort(cell.begin(), cell.end());
+    for_each_face(cell, [&](const Simplex_3& face) { simplices.insert(face); });
+  }
+  const auto is_distorted = [&](const Simplex_3& simplex)
+  {
+    Simplex_3 ascending = simplex;
+    std::sort(ascending.begin(), ascending.end());
+    return simplices.count(ascending) > 0;
+  };
+  return Simplex_removal_3(body, is_distorted).run(budget);
+}
+
 // Splits all bridges if one has a vertex of a poor cell: of one that is inverted where the search starts, or of a distorted
 // prescribed cell. To leave bridges that are far from poor cells costs up to a quarter of the energy and saves few vertices.
+// If cells are to be regular, however, each split makes others less regular, and only distorted cells are worth it.
 inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_body_3& numbered,
-                                                const Prescription_3& prescription, Linear_solver_3& solver,
-                                                Progress_3& progress)
+                                                const Prescription_3& prescription, const Map_problem_3& problem)
 {
+  Progress_3& progress = problem.progress;
+  if(problem.options.use_regular_references)
+    return split_distorted_cells_3(body, numbered, progress.budget());
+  Linear_solver_3& solver = problem.solver;
   const Numbered_mesh_3& mesh = numbered.mesh;
   const std::vector<bool> is_prescribed = fixed_points(body, prescription);
   const std::vector<bool> has_bridge = points_of_bridges_3(body, is_prescribed, progress.budget());
