@@ -116,7 +116,8 @@ predicates on the written coordinates check that no cell is inverted.
                           (\ref VMPAngleBound)}
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
-    \cgalParamExtra{The status reports whether the bound is met. It is ignored if the boundary is missed.}
+    \cgalParamExtra{The status reports whether the bound is met. If it is missed, the energy has at most doubled. The bound is
+                    ignored if the boundary is missed.}
     \cgalParamPrecondition{The value is larger than 2.}
   \cgalParamNEnd
   \cgalParamNBegin{minimize_maximum_angle_distortion}

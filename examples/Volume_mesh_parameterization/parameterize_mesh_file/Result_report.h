@@ -15,7 +15,8 @@ inline Exit_code exit_code(const CGAL::Volume_mesh_parameterization::Parameteriz
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   if(result.has_valid_map)
-    return (result.boundary_residual == 0) ? SUCCESS : NOT_AS_ASKED;
+    return result.boundary_residual == 0 && result.status != VMP::ERROR_ANGLE_BOUND_NOT_REACHED
+        && result.status != VMP::ERROR_LINEAR_SOLVER_FAILED ? SUCCESS : NOT_AS_ASKED;
   switch(result.status)
   {
     case VMP::ERROR_NOT_FLIP_FREE:

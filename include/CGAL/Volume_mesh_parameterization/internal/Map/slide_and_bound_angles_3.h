@@ -28,7 +28,8 @@ inline std::string describe_angle_distortion(const double reached, const double 
 
 // Brings the distortion of angles of every cell below a bound, by a barrier. It is relaxed, less and less, until no
 // cell exceeds the bound, or the excess hardly falls. Once none does, no step does so any more, and the energy is
-// minimized below the bound. `minimize(energy, map)` continues from a map.
+// minimized below the bound. If the bound is missed, a map with a much larger energy than before is not kept.
+// `minimize(energy, map)` continues from a map.
 template <typename Minimize>
 Found_map_3 bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, const double bound,
                                      const bool is_sliding, const Minimize& minimize, Found_map_3 found)
@@ -36,11 +37,21 @@ Found_map_3 bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_prob
   double excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
   if(excess < 0)
     return found;
+  constexpr double high_price = 2; // a guess; of the energy before
+  const auto energy = [&](const Matrix3Xd& positions)
+  {
+    return mean_energy_3(mesh, singular_values_of_cells_3(mesh, positions), problem.energy,
+                         factor_to_source_volume(mesh, positions));
+  };
+  const double bearable_energy = high_price * energy(found.map.positions);
+  Map_3 nearest = found.map; // to the bound, of those with a bearable energy
   const Any_energy_3 unbounded(std::shared_ptr<const Cell_energy_3>(std::shared_ptr<void>(), &problem.energy));
   const auto minimize_relaxed = [&](const double relaxation)
   {
     found = minimize(cell_energy_3(Bounded_angle_energy_3<Any_energy_3>(bound, unbounded, relaxation)), std::move(found));
     excess = largest_angle_distortion_3(mesh, found.map.positions) - bound;
+    if(energy(found.map.positions) <= bearable_energy)
+      nearest = found.map;
   };
   double previous = std::numeric_limits<double>::infinity();
   for(double relaxation = 0.05; excess >= 0 && relaxation > 1e-6 && !problem.progress.is_interrupted(); relaxation /= 5)
@@ -52,10 +63,14 @@ Found_map_3 bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_prob
   }
   if(excess < 0 && !problem.progress.is_interrupted())
     minimize_relaxed(0);
-  if(!(excess < 0) && !problem.progress.is_interrupted())
+  if(excess < 0)
+    return found;
+  found.map = std::move(nearest);
+  if(!problem.progress.is_interrupted())
   {
     found.status = ERROR_ANGLE_BOUND_NOT_REACHED;
-    found.reason = describe_angle_distortion(bound + excess, is_sliding ? 0 : unavoidable_angle_distortion_3(mesh));
+    found.reason = describe_angle_distortion(largest_angle_distortion_3(mesh, found.map.positions),
+                                             is_sliding ? 0 : unavoidable_angle_distortion_3(mesh));
   }
   return found;
 }
