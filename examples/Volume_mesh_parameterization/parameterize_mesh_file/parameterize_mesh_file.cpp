@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #  include <tbb/global_control.h>
 #endif
@@ -57,7 +59,7 @@ void write_map(const std::string& filename, const VMP::Tetrahedron_soup_3& sourc
 void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh, const Points& uvw,
                     Progress_line& progress, Outcome& outcome)
 {
-  if(outcome.exit_code != SUCCESS)
+  if(outcome.result.boundary_residual != 0)
   {
     outcome.result.message += " There are no hexahedra, because the boundary is missed.";
     return;
@@ -71,21 +73,20 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   outcome.seconds_hexahedra = progress.seconds() - begin;
   if(hexahedra.has_valid_mesh)
     outcome.files.push_back(file.name());
-  if(hexahedra.status == VMP::OK && !hexahedra.is_interrupted)
+  if(hexahedra.status == VMP::OK)
     return;
-  if(hexahedra.has_valid_mesh)
-    outcome.exit_code = hexahedra.status == VMP::OK ? SUCCESS : NOT_AS_ASKED;
-  else
-    outcome.exit_code = hexahedra.is_interrupted || hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE
-                                                                                                       : BAD_INPUT;
+  const bool is_interrupted = hexahedra.status == VMP::ERROR_INTERRUPTED;
+  if(!hexahedra.has_valid_mesh)
+    outcome.exit_code = is_interrupted || hexahedra.status == VMP::ERROR_INVERTED_HEXAHEDRON ? NOT_FLIP_FREE : BAD_INPUT;
+  else if(!is_interrupted)
+    outcome.exit_code = NOT_AS_ASKED;
   Result& result = outcome.result;
   const std::string of_map = result.status == VMP::OK ? "The map is complete. " : result.message + " ";
-  result.status = hexahedra.is_interrupted ? VMP::ERROR_INTERRUPTED : hexahedra.status;
+  const std::string of_hexahedra
+    = boost::replace_all_copy(hexahedra.message, VMP::get_error_message(VMP::ERROR_INTERRUPTED), progress.reason());
+  result.status = hexahedra.status;
   outcome.status_code = error_code_name(result.status);
-  result.message = of_map + (!hexahedra.is_interrupted
-    ? (hexahedra.has_valid_mesh ? "" : "There are no hexahedra: ") + hexahedra.message
-    : progress.reason() + std::string(hexahedra.has_valid_mesh
-      ? " The hexahedra are valid, but better ones might have been found." : " There are no valid hexahedra yet."));
+  result.message = of_map + (hexahedra.has_valid_mesh || is_interrupted ? "" : "There are no hexahedra: ") + of_hexahedra;
 }
 
 // Writes the files of a map. The outcome names the file that cannot be written, and those that have been.

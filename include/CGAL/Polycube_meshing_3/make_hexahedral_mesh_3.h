@@ -92,8 +92,10 @@ mesh that it finds.
 If the mesh is written, it has these properties:
 
 - The Jacobian determinant of the trilinear map of each hexahedron is positive everywhere. Exact arithmetic on the returned
-  coordinates decides this. A determinant whose minimum is below 1e-12 of its maximum may count as not positive.
-- Vertices on the boundary of the domain lie on the boundary of the body, up to rounding.
+  coordinates decides this. A determinant whose minimum is below 1e-12 of its maximum may count as not positive. So may one that
+  is nearly 0 on a whole surface inside.
+- Vertices on the boundary of the domain lie on the boundary of the body, up to rounding. If facets of the body are normal to an
+  axis, vertices in their plane have its coordinate exactly.
 - An edge or a corner of the domain may be the image of a sharp edge or a corner of the body. Then its vertices lie on this sharp
   edge or corner. If hexahedra would be inverted or nearly flat, vertices may leave them.
 - Marked corners of the soup, or 0-dimensional features of the complex, become vertices. Otherwise,
@@ -171,12 +173,13 @@ step takes time linear in the number of hexahedra, plus the solution of a sparse
 \cgalNamedParamsEnd
 
 \return the status with its place, the scaled Jacobians, volumes and distances. The status is one of the following.
-- `OK`: the mesh is valid. If the computation was ended early, `Hexahedral_mesh_result::is_interrupted` is set.
+- `OK`: the mesh is valid.
 - `ERROR_POOR_HEXAHEDRON`: the mesh is valid and written, but a scaled Jacobian is below the bound.
 - `ERROR_INCOMPLETE_HEXAHEDRA`: the mesh is valid and written, but a subdomain has no hexahedron. Or the boundaries are farther
-  apart than an edge of a hexahedron.
+  apart than an edge of a hexahedron or a tenth of the diagonal of the body.
 - `ERROR_INVERTED_HEXAHEDRON`: the Jacobian determinant of a hexahedron is not positive everywhere.
-- `ERROR_INTERRUPTED`: the computation was ended before there was a valid mesh.
+- `ERROR_INTERRUPTED`: the computation was ended early. If `Hexahedral_mesh_result::has_valid_mesh` is set, the mesh is written.
+  With the other values for a valid mesh, `Hexahedral_mesh_result::is_interrupted` tells whether it was ended early.
 - `ERROR_EMPTY_COMPLEX`: there is no cell.
 - `ERROR_NON_FINITE_COORDINATE`: a coordinate is infinite or not a number.
 - `ERROR_SIZE_OUT_OF_RANGE`: the diagonal of the mesh or of its image is not between 1e-70 and 1e70, or the grid has more than

@@ -359,3 +359,18 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
   mesh.interface_cells.pop_back();
   CHECK_THROWS_AS(VMP::IO::write_VTU(vtu, mesh), VMP::Input_error);
 }
+
+// Under a limit of time, staircases come first.
+TEST_CASE("A limit of time that is not reached changes nothing")
+{
+  for(const Body& body : { layered_box(), box_in_corner_of_layers() })
+  {
+    Hexahedron_soup_3 with_limit, without;
+    const auto mesh = [&](Hexahedron_soup_3& hexahedra, const auto& np)
+    { return VMP::make_hexahedral_mesh_3(body.soup, body.images, 2, hexahedra, np); };
+    const Hexahedral_mesh_result result = mesh(with_limit, CGAL::parameters::maximum_running_time(1e6));
+    CHECK(mesh(without, CGAL::parameters::default_values()).message == result.message);
+    CHECK(with_limit.points == without.points);
+    CHECK_FALSE(result.is_interrupted);
+  }
+}

@@ -20,6 +20,8 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/found_hexahedra_3.h>
 
+#include <optional>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the result for input that does not allow a mesh.
@@ -83,35 +85,35 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
 inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                     const Hexahedra_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
 {
+  const auto evaluate = [&](Best_hexahedra_3 hexahedra)
+  {
+    hexahedra.result.interface_distance = interface_distance_3(hexahedra.mesh, interfaces).distance;
+    hexahedra.result.volumes = volumes_of_subdomains(body, hexahedra.mesh);
+    return hexahedra;
+  };
+  const auto make_staircases = [&](const Budget& part)
+  { return evaluate(best_hexahedra_3(problem, body, boxes, nullptr, part)); };
+  std::optional<Best_hexahedra_3> staircases;
+  if(budget.is_limited()) // they are far faster than what follows, which may then have all of the time that is left
+    staircases = make_staircases(budget.part(0.5));
   Hexahedra_3 separated = boxes;
   Subdomain_separation_3(separated).run(budget);
-  const Budget part = budget.part(0.5); // a guess; staircases, which are far faster, must have time
-  Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, &interfaces, part) };
+  Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, &interfaces, budget) };
   Best_hexahedra_3& best = chosen.best;
-  chosen.is_cut = part.is_exhausted();
   if(best.result.has_valid_mesh)
   {
     balance_interfaces_3(interfaces, best.mesh);
     const std::vector<double> quality = scaled_jacobians(best.mesh);
     best.result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   }
-  const auto distance = [&](const Hexahedra_3& mesh) { return interface_distance_3(mesh, interfaces).distance; };
-  const auto evaluate = [&](Best_hexahedra_3& hexahedra)
-  {
-    hexahedra.result.interface_distance = distance(hexahedra.mesh);
-    hexahedra.result.volumes = volumes_of_subdomains(body, hexahedra.mesh);
-  };
-  evaluate(best);
-  if(may_be_worse_than_staircases(best, distance(pulled_back(body, boxes, budget))) && !budget.is_exhausted())
-  {
-    Best_hexahedra_3 staircases = best_hexahedra_3(problem, body, boxes, nullptr, budget);
-    evaluate(staircases);
-    if(is_better_as_staircases(staircases.result, best))
-    {
-      best = std::move(staircases);
-      chosen.staircases = Staircases::BETTER;
-    }
-  }
+  best = evaluate(std::move(best));
+  if((!staircases && budget.is_exhausted())
+     || !may_be_worse_than_staircases(best, interface_distance_3(pulled_back(body, boxes, Budget()), interfaces).distance))
+    return chosen;
+  if(!staircases)
+    staircases = make_staircases(budget);
+  if(is_better_as_staircases(staircases->result, best))
+    chosen = { std::move(*staircases), Staircases::BETTER };
   return chosen;
 }
 

@@ -31,7 +31,6 @@ struct Chosen_hexahedra_3
 {
   Best_hexahedra_3 best;
   Staircases staircases = Staircases::NONE;
-  bool is_cut = false; // were hexahedra that follow the interfaces ended by their limit of time?
 };
 
 // Gives quadrangles the references of the facets of the body nearest to their centers: those of the boundary, and those of
@@ -115,13 +114,23 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_doma
 }
 
 // Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
+// Few hexahedra have long edges. Therefore, the distance is also compared with the body.
 inline void check_completeness(const Body_with_domain_3& body, const Largest_distance_3& farthest, const double edge,
-                               Hexahedral_mesh_result& result)
+                               const double spacing, Hexahedral_mesh_result& result)
 {
+  constexpr double large_part = 0.1; // a guess; of the diagonal of the body
+  Box_3 source, image;
+  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+    for(const std::size_t v : cell)
+    {
+      source.extend(body.points[v]);
+      image.extend(body.images[v]);
+    }
   std::string missing;
-  if(farthest.distance > edge)
+  if(farthest.distance > (std::min)(edge, large_part * source.diagonal().norm()))
     missing = sentence(" The boundaries of hexahedra and body are ", farthest.distance, " apart at ", describe(farthest.point),
-                       ", where an edge of a hexahedron is about ", edge, " long.");
+                       ", where an edge of a hexahedron is about ", edge, " long. The spacing is ", spacing,
+                       " in a domain with the sides ", describe(image.diagonal()), ".");
   for(const Subdomain_volumes& volumes : result.volumes)
     if(volumes.of_hexahedra == 0)
     {
@@ -216,7 +225,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   check_quality(mesh, problem.minimum_scaled_jacobian, result);
   if(result.status != OK)
     result.message += advice_3(body, mesh);
-  check_completeness(body, farthest, chosen.best.edge, result);
+  check_completeness(body, farthest, chosen.best.edge, problem.spacing, result);
   evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, chosen.staircases, result);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
@@ -232,17 +241,20 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   Found_hexahedra_3 found;
   Hexahedral_mesh_result& result = found.result;
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
-  result.is_interrupted = budget.is_exhausted() || chosen.is_cut;
+  result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
     evaluate(problem, body, interfaces, chosen, found);
-  else if(result.is_interrupted)
-    result.status = ERROR_INTERRUPTED;
-  else
+  else if(!result.is_interrupted)
     result.message += advice_3(body, best.mesh);
-  if(result.is_interrupted)
-    result.message = get_error_message(ERROR_INTERRUPTED)
-      + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."
-                                          : " There are no valid hexahedra yet.");
+  if(!result.is_interrupted)
+    return found;
+  const bool is_all = !result.has_valid_mesh || result.status == OK; // that there is to be told
+  const std::string sentences = get_error_message(ERROR_INTERRUPTED)
+    + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."
+                                        : " There are no valid hexahedra yet.");
+  result.message = is_all ? sentences : result.message + " " + sentences;
+  if(is_all)
+    result.status = ERROR_INTERRUPTED;
   return found;
 }
 

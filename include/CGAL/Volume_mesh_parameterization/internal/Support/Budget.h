@@ -37,6 +37,7 @@ public:
   { m_timer.start(); }
 
   double seconds() const { return m_timer.time(); } // time since the construction
+  bool is_limited() const { return !std::isinf(m_seconds); } // by the clock
 
   bool is_exhausted() const
   {
