@@ -794,8 +794,9 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
       const Hexahedral_mesh_result result = mesh_until(visitor, mesh);
       CHECK(visitor.number_of_questions == n); // then it is at its end
       CHECK(result.is_interrupted);
+      CHECK(result.status == VMP::ERROR_INTERRUPTED);
       CHECK_FALSE(result.message.empty());
-      if(result.status == VMP::OK)
+      if(result.has_valid_mesh)
       {
         CHECK(smallest_determinant(mesh) > 0);
         CHECK(result.number_of_cells == mesh.cells.size());
@@ -803,7 +804,6 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
       }
       else
       {
-        CHECK(result.status == VMP::ERROR_INTERRUPTED);
         CHECK(mesh.cells.empty());
         CHECK_FALSE(is_valid); // a mesh that is valid once is not lost
       }
@@ -1363,4 +1363,39 @@ TEST_CASE("rounding does not make corners of edges that vanish good")
   CHECK(VMP::internal::scaled_jacobian(edges, 0.01) == Approx(1));
   edges.col(0).setZero();
   CHECK(VMP::internal::scaled_jacobian(edges) == 0);
+}
+
+// Points nearest to the facets have rounding errors, which a comparison of coordinates would miss.
+TEST_CASE("Vertices in a plane of the body normal to an axis have its coordinate")
+{
+  const Body body(4, 0.1, [](const Vector3d& p) -> Vector3d // a cylinder between two planes, with a third plane
+  {
+    const Vector3d q = rounded_around_z(p) - Vector3d(2, 2, 0);
+    return { q[0] / 3 + 0.1, (q[1] < 0 ? q[1] : q[1] / 7) / 3, p[2] / 3 + 0.1 };
+  });
+  Hexahedron_soup_3 mesh;
+  REQUIRE(body.mesh(0.7, mesh).status == VMP::OK);
+  std::size_t numbers[2] = { 0, 0 };
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(const double z : { 0., 4. })
+      if(mesh.images[v][2] == z)
+      {
+        CHECK(mesh.points[v][2] == z / 3 + 0.1);
+        ++numbers[z == 4];
+      }
+  CHECK(numbers[0] >= 49);
+  CHECK(numbers[1] == numbers[0]);
+}
+
+// Edges of one hexahedron are nearly as long as the body, and its boundary is never farther away.
+TEST_CASE("Hexahedra that are too few for the shape of the body are incomplete")
+{
+  const Body ball(8, 0, rounded);
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result coarse = ball.mesh(8, mesh);
+  CAPTURE(coarse.message);
+  CHECK(coarse.status == VMP::ERROR_INCOMPLETE_HEXAHEDRA);
+  CHECK(coarse.boundary_distance > 1.6); // as for the largest cube in the ball
+  CHECK(coarse.message.find("The spacing is 8 in a domain with the sides (8, 8, 8).") != std::string::npos);
+  CHECK(ball.mesh(4, mesh).status == VMP::OK);
 }

@@ -130,9 +130,10 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   if(boxes.cells.empty() && !budget.is_exhausted())
     return { refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY, get_error_message(ERROR_INVERTED_TARGET_BOUNDARY))), {} };
   Body_interfaces_3 interfaces(body.soup, body.surface);
-  const Chosen_hexahedra_3 chosen = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
+  Chosen_hexahedra_3 chosen = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : Chosen_hexahedra_3{ best_hexahedra_3(problem, body, boxes, nullptr, budget), Staircases::ASKED };
+  put_on_planes(body.surface, chosen.best.mesh);
   return found_hexahedra_3(problem, body, interfaces, chosen, budget);
 }
 

@@ -84,6 +84,16 @@ public:
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
+  // Returns a point with the very coordinate of each plane normal to an axis that holds a facet and, up to rounding, the point.
+  Eigen::Vector3d without_rounding(Eigen::Vector3d p) const
+  {
+    for(int axis = 0; axis < 3; ++axis)
+      if(const auto plane = m_planes[axis].lower_bound(p[axis] - m_rounding_of_planes);
+         plane != m_planes[axis].end() && *plane <= p[axis] + m_rounding_of_planes)
+        p[axis] = *plane;
+    return p;
+  }
+
   // Returns the vertices of the facet nearest to a point.
   const std::array<std::size_t, 3>& nearest_facet(const Eigen::Vector3d& p) const
   { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
@@ -150,6 +160,10 @@ private:
     {
       m_triangles.push_back(triangle(points, facet));
       vertices.insert(facet.begin(), facet.end());
+      const auto& [a, b, c] = facet;
+      for(int axis = 0; axis < 3; ++axis)
+        if(points[a][axis] == points[b][axis] && points[a][axis] == points[c][axis])
+          m_planes[axis].insert(points[a][axis]);
     }
     for(const std::size_t v : vertices)
       m_vertices.push_back(points[v]);
@@ -160,6 +174,8 @@ private:
     m_lines.rebuild(m_segments.begin(), m_segments.end());
     const Bbox_3 box = m_surface.bbox();
     m_rounding = 1e-9 * length_3({ box.x_span(), box.y_span(), box.z_span() });
+    for(const double x : { box.xmin(), box.xmax(), box.ymin(), box.ymax(), box.zmin(), box.zmax() })
+      m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x));
   }
 
   static Kernel::Triangle_3 triangle(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 3>& facet)
@@ -181,6 +197,8 @@ private:
   std::vector<Eigen::Vector3d> m_ends;
   std::set<std::size_t> m_corners;
   double m_rounding; // distance of points on lines from the lines, by rounding
+  std::array<std::set<double>, 3> m_planes; // the coordinates of facets that are normal to an axis
+  double m_rounding_of_planes = 0;
   AABB_trees_3::Of_triangles m_surface;
   AABB_trees_3::Of_segments m_lines;
 };

@@ -124,6 +124,15 @@ inline void put_on_boundary(const Body_surface_3& surface, Hexahedra_3& mesh)
         mesh.points[v] = q;
 }
 
+// Gives vertices of the boundary in planes normal to an axis, as those of symmetry, the coordinate of the plane.
+inline void put_on_planes(const Body_surface_3& surface, Hexahedra_3& mesh)
+{
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      mesh.points[v] = surface.without_rounding(mesh.points[v]);
+}
+
 // Returns the freedom of each vertex.
 inline std::vector<Freedom_3> freedoms_3(const Hexahedra_3& mesh, const Body_surface_3& surface)
 {
