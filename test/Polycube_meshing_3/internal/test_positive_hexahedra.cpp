@@ -13,8 +13,10 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <type_traits>
 #include <utility>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
 using CGAL::Volume_mesh_parameterization::internal::Hexahedron_points_3;
 using CGAL::Volume_mesh_parameterization::internal::is_positive_hexahedron_3;
 using CGAL::Volume_mesh_parameterization::internal::jacobian_coefficients_3;
@@ -108,6 +110,34 @@ TEST_CASE("Hexahedra with positive corners are inverted where the determinant is
   CHECK_FALSE(is_positive_hexahedron_3(cube_with_top(matrix(-1 - smallest, 0, 0, -1)))); // down to -1e-9
   CHECK_FALSE(is_positive_hexahedron_3(cube_with_top(matrix(1, 0, 0, 0)))); // flat corners
   CHECK_FALSE(is_positive_hexahedron_3(cube_with_top(matrix(1, 0, 0, -1))));
+}
+
+// Halves along the other axes would multiply, to tens of millions of pieces around the plane z = 1/3.
+TEST_CASE("A determinant that is nearly zero on a plane normal to an axis is decided")
+{
+  for(const double d : { 0.3, 1e-4, 1e-7 }) // minima near 0.04, 4e-9 and, for rationals, 4e-15
+    CHECK(is_positive_hexahedron_3(cube_with_top(matrix(-2, -d, d, -2))));
+}
+
+// Without a bound, the number of pieces grows with the inverse of the minimum: to 1e12.
+TEST_CASE("A polynomial that is nearly zero on any surface is given up")
+{
+  const auto is_positive = [](const double least, const auto& error) // (x + y + z - 0.9)^2 plus its minimum
+  {
+    using FT = std::decay_t<decltype(error)>;
+    VMP::internal::Bernstein_coefficients_3<FT> coefficients;
+    for(int l = 0; l < 27; ++l)
+    {
+      const int i[3] = { l / 9, l / 3 % 3, l % 3 }, sum = i[0] + i[1] + i[2];
+      coefficients[l] = FT(sum - 1.8) * FT(sum - 1.8) / 4 + FT(least);
+      for(const int k : i)
+        coefficients[l] -= FT(k == 1 ? 0.25 : 0); // of a square along an axis
+    }
+    return VMP::internal::is_positive_polynomial_3(coefficients, error).value();
+  };
+  CHECK(is_positive(0.1, 0.));
+  CHECK_FALSE(is_positive(1e-12, 0.));
+  CHECK_FALSE(is_positive(1e-12, CGAL::Exact_rational(0)));
 }
 
 TEST_CASE("Hexahedra that are flat up to rounding are decided in rationals")

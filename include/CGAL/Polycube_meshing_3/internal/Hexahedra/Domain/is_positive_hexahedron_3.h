@@ -13,12 +13,15 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -74,39 +77,68 @@ Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<F
   return result;
 }
 
-// Returns whether the Bernstein coefficients of a polynomial, with errors up to `error`, prove that it is positive on the closed
-// unit cube. Coefficients at the corners are values, and all coefficients bound the values between them. If they leave the sign
-// open, the cube is halved. Polynomials that touch zero would be halved for ever: after many times, they count as not positive.
+// Returns the distance in memory of coefficients that are neighbors along the axis where neighbors differ most.
 template <typename FT>
-std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error,
-                                             const int number_of_halvings = 0)
+std::size_t steepest_step_3(const Bernstein_coefficients_3<FT>& coefficients)
 {
-  constexpr int maximum_number = 60; // a minimum of 1e-12 of the maximum has been found then
-  for(const std::size_t corner : { 0, 2, 6, 8, 18, 20, 24, 26 })
-  {
-    if(coefficients[corner] <= -error)
-      return false;
-    if(coefficients[corner] <= error)
-      return std::nullopt;
-  }
-  if(std::all_of(coefficients.begin(), coefficients.end(), [&](const FT& x) { return x > error; }))
-    return true;
-  if(number_of_halvings == maximum_number)
-    return error == 0 ? std::optional<bool>(false) : std::nullopt;
+  std::pair<FT, std::size_t> steepest(0, 1);
+  for(const std::size_t step : { 9, 3, 1 })
+    for(std::size_t i = 0; i < 27; ++i)
+      if(i / step % 3 < 2)
+        if(const FT difference = CGAL::abs(FT(coefficients[i + step] - coefficients[i])); difference > steepest.first)
+          steepest = { difference, step };
+  return steepest.second;
+}
 
-  const std::size_t step = number_of_halvings % 3 == 0 ? 9 : number_of_halvings % 3 == 1 ? 3 : 1;
-  std::array<Bernstein_coefficients_3<FT>, 2> halves = { coefficients, coefficients }; // by the algorithm of de Casteljau
+// Returns the coefficients on both halves of the cube along this axis, by the algorithm of de Casteljau.
+template <typename FT>
+std::array<Bernstein_coefficients_3<FT>, 2> halves_3(const Bernstein_coefficients_3<FT>& coefficients, const std::size_t step)
+{
+  std::array<Bernstein_coefficients_3<FT>, 2> result = { coefficients, coefficients };
   for(std::size_t i = 0; i < 27; ++i)
     if(i / step % 3 == 0)
     {
       const FT left = (coefficients[i] + coefficients[i + step]) / 2;
       const FT right = (coefficients[i + step] + coefficients[i + 2 * step]) / 2;
-      halves[0][i + step] = left;
-      halves[1][i + step] = right;
-      halves[0][i + 2 * step] = halves[1][i] = (left + right) / 2;
+      result[0][i + step] = left;
+      result[1][i + step] = right;
+      result[0][i + 2 * step] = result[1][i] = (left + right) / 2;
     }
-  const std::optional<bool> first = is_positive_polynomial_3(halves[0], error, number_of_halvings + 1);
-  return first && *first ? is_positive_polynomial_3(halves[1], error, number_of_halvings + 1) : first;
+  return result;
+}
+
+// Returns whether the Bernstein coefficients of a polynomial, with errors up to `error`, prove that it is positive on the closed
+// unit cube. Coefficients at the corners are values, and all coefficients bound the values between them. If they leave the sign
+// open, the cube is halved. A polynomial may touch zero, or nearly so on a whole surface: what many pieces, or a tiny one, leave
+// open counts as not positive.
+template <typename FT>
+std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error)
+{
+  constexpr int maximum_number_of_halvings = 60; // a minimum of 1e-12 of the maximum has been found then
+  constexpr int maximum_number_of_pieces = 10000; // a guess; usual hexahedra need a few
+  std::vector<std::pair<Bernstein_coefficients_3<FT>, int> > pieces = { { coefficients, 0 } }; // with their numbers of halvings
+  for(int number = 0; !pieces.empty(); ++number)
+  {
+    const auto [piece, number_of_halvings] = pieces.back();
+    pieces.pop_back();
+    for(const std::size_t corner : { 0, 2, 6, 8, 18, 20, 24, 26 })
+    {
+      if(piece[corner] <= -error)
+        return false;
+      if(piece[corner] <= error)
+        return std::nullopt;
+    }
+    if(std::all_of(piece.begin(), piece.end(), [&](const FT& x) { return x > error; }))
+      continue;
+    if(number_of_halvings == maximum_number_of_halvings)
+      return error == 0 ? std::optional<bool>(false) : std::nullopt;
+    if(number >= maximum_number_of_pieces)
+      return false;
+    const auto [first, second] = halves_3(piece, steepest_step_3(piece));
+    pieces.emplace_back(second, number_of_halvings + 1);
+    pieces.emplace_back(first, number_of_halvings + 1);
+  }
+  return true;
 }
 
 // Returns whether the Jacobian determinant of a hexahedron is positive all over it: of its own coordinates, by a filter in
