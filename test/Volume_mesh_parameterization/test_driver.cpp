@@ -2810,3 +2810,49 @@ TEST_CASE("The last lines tell times, files and success")
   for(const char* part : {"seconds_reading", "seconds_boundary", "seconds_hexahedra"})
     CHECK(number(report, part) > 0);
 }
+
+TEST_CASE("A result that is not as asked for has a status and a sentence that helps")
+{
+  const Folder folder;
+  const Soup source = cube(4);
+  folder.write("source.mesh", source);
+  const auto says = [&](const std::string& sentence)
+  {
+    CAPTURE(folder.text("stdout"), folder.text("stderr"), sentence);
+    CHECK((folder.text("stdout") + folder.text("stderr")).find(sentence) != std::string::npos);
+  };
+  CHECK(folder.run("source.mesh --to ball --refine=none") == 0);
+  says("No file is written; -o FILE writes the map\nSuccess\n");
+  CHECK(folder.run("source.mesh --to ball --refine=none --max-angle-distortion 2.1 -o map.mesh --report report.json") == 1);
+  says("The largest distortion of angles is ");
+  CHECK(folder.text("stderr").find("boundary residual") == std::string::npos);
+  CHECK(folder.text("report.json").find("\"status_code\": \"ERROR_ANGLE_BOUND_NOT_REACHED\"") != std::string::npos);
+  CHECK(folder.soup("map.mesh").points.size() == source.points.size());
+  CHECK(folder.run("source.mesh --to box=1,1,3 --refine=none --max-angle-distortion 3 --hexahedra 0.5 h.mesh") == 1);
+  CHECK(folder.names().count("h.mesh") == 1); // as the boundary is met
+
+  Soup mirror = source;
+  for(Point& p : mirror.points)
+    p[2] *= -1;
+  folder.write("mirror.mesh", mirror);
+  CHECK(folder.run("source.mesh mirror.mesh") == 2);
+  says("TARGET is a mirror image of SOURCE. Reverse the sign of one coordinate in one of them.");
+  CHECK(folder.text("stderr").find("--displacements") == std::string::npos);
+
+  Soup ring = source;
+  ring.cells.clear();
+  for(const auto& cell : source.cells)
+  {
+    const auto is_near_axis = [&](const std::size_t v)
+    { return std::abs(source.points[v][0] - 2) <= 1 && std::abs(source.points[v][1] - 2) <= 1; };
+    if(!std::all_of(cell.begin(), cell.end(), is_near_axis))
+      ring.cells.push_back(cell);
+  }
+  ring.cell_references.resize(ring.cells.size());
+  folder.write("ring.mesh", ring);
+  CHECK(folder.run("ring.mesh --to cube") == 2);
+  says("--to polycube maps bodies with handles.");
+
+  CHECK(folder.run("missing.mesh --to cube") == 2);
+  says("missing.mesh: the file cannot be opened");
+}

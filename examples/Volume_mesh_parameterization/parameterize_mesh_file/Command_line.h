@@ -60,7 +60,8 @@ standard error.
 constexpr const char* help_after_options = R"(
 Exit status:
   0  success: no cell is inverted, and the boundary is met exactly
-  1  no cell is inverted, but the boundary is missed by the printed distance. Try --refine
+  1  no cell is inverted, but the result is not as asked for. The message names what is missed: the boundary (try --refine), the
+     bound of --max-angle-distortion, the end of a minimization, or a part of the body that hexahedra leave out
   2  bad input: the message names the file, line or vertex. No output is written
   3  no map without inverted cells was found. No output is written. Try --refine
 If the map is written, but another file cannot be written, the status is 2 or 3, and the message says so.
@@ -126,7 +127,8 @@ inline Command_line command_line(Options& options)
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh, *.msh) with the vertices that --refine added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
-     "hexahedra of this size (*.mesh, *.vtu, *.msh or *.inp). They fill a box or polycube, and are pulled back to the source")
+     "hexahedra (*.mesh, *.vtu, *.msh or *.inp). They fill a box or polycube, and are pulled back to the source. SPACING is their "
+     "size there: a cube has sides of length 1, a polycube about the lengths of the source")
     ("staircases", po::bool_switch(&options.are_staircases), "do not let hexahedra follow the interfaces between subdomains")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 

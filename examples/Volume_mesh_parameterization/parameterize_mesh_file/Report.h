@@ -176,8 +176,7 @@ inline void print_end(const Outcome& outcome)
 {
   std::cout << "seconds: reading " << outcome.seconds_reading << ", boundary " << outcome.seconds_boundary << ", map "
             << outcome.result.seconds_total << ", hexahedra " << outcome.seconds_hexahedra << "\n";
-  if(!outcome.files.empty())
-    std::cout << "Written: " << list(outcome.files) << "\n";
+  std::cout << (outcome.files.empty() ? "No file is written; -o FILE writes the map" : "Written: " + list(outcome.files)) << "\n";
   if(outcome.exit_code == SUCCESS && outcome.result.status == CGAL::Volume_mesh_parameterization::OK)
     std::cout << "Success\n";
 }

@@ -141,7 +141,9 @@ inline std::string message_of_domain(const std::string& domain, const CGAL::Volu
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   return "the boundary cannot be mapped to '" + domain + "': "
-    + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : VMP::get_error_message(status));
+    + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : VMP::get_error_message(status))
+    + (status == VMP::ERROR_BOUNDARY_NOT_OF_GENUS_ZERO && domain != "polycube"
+       ? " --to polycube maps bodies with handles." : "");
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_BOUNDARY_TARGETS_OF_H

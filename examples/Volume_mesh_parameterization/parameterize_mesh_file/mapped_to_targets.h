@@ -9,6 +9,7 @@
 #include "Report.h"
 #include "Target_points.h"
 #include "boundary_targets_of.h"
+#include "notes_on_hexahedra.h"
 #include "read_source.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
@@ -106,6 +107,19 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
   }, named_solver(options.solver));
 }
 
+// Advises on a target without positive volume: a mirror image of a body encloses a large negative one, displacements hardly any.
+inline std::string advice_for_inverted_target(const Mapped_mesh& mapped)
+{
+  constexpr double small_part = 0.01; // a guess
+  Points images = mapped.mesh.points;
+  for(std::size_t v = 0; v < mapped.target.points.size(); ++v) // refinement adds others
+    if(has_target(mapped.target.points, v))
+      images[v] = mapped.target.points[v];
+  return volume(mapped.mesh, images) < -small_part * volume(mapped.mesh, mapped.mesh.points)
+    ? " TARGET is a mirror image of SOURCE. Reverse the sign of one coordinate in one of them."
+    : " If TARGET contains displacements, use --displacements.";
+}
+
 // Says in the words of the program why a map is not as it was asked for.
 inline void complete_message(const Mapped_mesh& mapped, const Options& options, Result& result)
 {
@@ -115,7 +129,7 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
       + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source) : "");
   result.message = with_names_of_options(result.message);
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
-    result.message += " If TARGET contains displacements, use --displacements.";
+    result.message += advice_for_inverted_target(mapped);
   if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
     result.message += " " + advice_to_improve + ".";
   if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !named_refinement(options.refinement).do_refine

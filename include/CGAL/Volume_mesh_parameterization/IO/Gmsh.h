@@ -32,6 +32,8 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 ///            Gmsh may crash or never finish.
 inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 {
+  if(!std::filesystem::exists(filename))
+    throw Input_error("the file cannot be opened");
   if(!std::filesystem::is_regular_file(filename))
     throw Input_error("Gmsh reads regular files only");
   // Gmsh takes other files with such a name for scripts, and runs them
