@@ -24,17 +24,28 @@ rm -rf $output
 mkdir -p $output
 configure scripts/manual/defaults.in $output/defaults
 configure $doc/Doxyfile.in $output/Doxyfile
-# Named parameters become functions of a page of their own, by which they can be found and linked.
+# Named parameters become functions of a page of their own, by which they can be found and linked: with the type and the default of
+# each function that has them.
 perl -0777 -ne '
-  while(/\\cgalParamNBegin\{(\w+)\}\s*\\cgalParamDescription(\{(?:[^{}]|(?2))*\})/g)
-  { ($name, $text) = ($1, substr($2, 1, -1)); $text =~ s/\s*\n\s*/ /g; $text{$name} //= $text; push @{$where{$name}}, $ARGV =~ s|.*/(\w+)\.h|$1|r }
+  while(/\\cgalParamNBegin\{(\w+)\}(.*?)\\cgalParamNEnd/sg)
+  {
+    ($name, $block) = ($1, $2);
+    for $key ("Description", "Type", "Default")
+    { ($value{$key}) = $block =~ /\\cgalParam$key(\{(?:[^{}]|(?1))*\})/; $value{$key} = substr($value{$key}, 1, -1) =~ s/\s*\n\s*/ /gr }
+    $text{$name} //= $value{Description};
+    push @{$functions{$name}{"/// - Type: $value{Type}\n/// - Default: $value{Default}\n"}}, $ARGV =~ s|.*/(\w+)\.h|$1|r;
+  }
   END
   {
     print "/// \\defgroup PkgVolumeMeshParameterizationNamedParameters Named Parameters\n/// \\ingroup PkgVolumeMeshParameterizationRef\n/// The named parameters of all functions.\n";
     print "namespace CGAL {\n/// Named parameters of functions.\nnamespace parameters {\n";
-    print "/// \\ingroup PkgVolumeMeshParameterizationNamedParameters\n/// $text{$_}\n///\n/// Parameter of: ",
-          join(", ", map { "`CGAL::" . ($_ =~ /^stretch/ ? "" : "Volume_mesh_parameterization::") . "$_()`" } @{$where{$_}}),
-          "\nunspecified_type $_(value_type value);\n" for sort keys %text;
+    for $name (sort keys %text)
+    {
+      print "/// \\ingroup PkgVolumeMeshParameterizationNamedParameters\n/// $text{$name}\n///\n",
+            (map { "$_/// - Parameter of: " . join(", ", map { "`CGAL::" . (/^stretch/ ? "" : "Volume_mesh_parameterization::") . "$_()`" }
+                                                         @{$functions{$name}{$_}}) . "\n" } sort keys %{$functions{$name}}),
+            "unspecified_type $name(value_type value);\n";
+    }
     print "} }\n";
   }' include/CGAL/stretch_minimizing_volume_parameterization.h include/CGAL/*/make_*.h > $output/named_parameters.h
 printf 'INPUT += doc/Polycube_meshing_3 build/doc_output/named_parameters.h\nEXCLUDE += include/CGAL/Polycube_meshing_3/internal\n' >> $output/Doxyfile # one manual here
@@ -51,6 +62,9 @@ perl -0777 -i -pe '
           $anchor{$2} = $1 while $page =~ /id="(\w+)"[^>]*><\/a>\s*<h2 class="memtitle"><span.*?<\/span>(\w+)\(/g }
   s|<code>(\w+)(\([^<]*\))?</code>|$anchor{$1} ? "<a class=\"el\" href=\"group__PkgVolumeMeshParameterizationNamedParameters.html#$anchor{$1}\">$&</a>" : $&|ge
 ' $output/html/{index,class*,struct*,group*,*Manual,*Paper}.html
+# The pages for editors and authors are linked by the history of the package, and are not in the tree of pages for users.
+perl -0777 -i -pe 's/    \[ "[^"]*", "PkgVolumeMeshParameterization(Submission|Style)\.html", (null|"\w+"|(\[(?:[^][]|(?3))*\])) \],\n//g' \
+  $output/html/navtreedata.js
 if grep -n '`' $output/html/{index,Pkg,class,struct,group,namespace}*.html; then
   echo "Doxygen did not read the code in these lines" >&2
   exit 1

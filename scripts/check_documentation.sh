@@ -92,6 +92,32 @@ require "example" "$doc/examples.txt" < <(cd "$examples" && ls ./*.cpp parameter
 require "example" "$root/doc/$polycubes/examples.txt" < <(cd "$root/examples/$polycubes" && ls ./*.cpp | xargs -n 1 basename)
 require "option" "$doc/Parameterize_mesh_file.txt" < <(
   sed -n 's/^ *("\([a-z-]*\)[,"].*/`--\1/p' "$examples/parameterize_mesh_file/Command_line.h" | grep -v -e --source -e --target)
+# Quoted code is whole: an excerpt of a program closes its brackets and ends a statement, and each line of other code is a line of
+# a program or a test.
+while read -r complaint; do
+  echo "$complaint"
+  status=1
+done < <(
+  awk -v examples="$root/examples/" '
+    function show(line) { # without strings and comments
+      gsub(/"([^"\\]|\\.)*"/, "", line); sub(/ *\/\/.*/, "", line)
+      depth += gsub(/[(\[{]/, "&", line) - gsub(/[)\]}]/, "&", line)
+      if(line != "") is_whole = depth == 0 && line ~ /[;}]$/
+    }
+    is_excerpt && !/^\\(until|line) / { if(!is_whole) print place ": the excerpt ends within a statement"; is_excerpt = 0 }
+    /^\\dontinclude / { size = 0; at = 1; while((getline line < (examples $2)) > 0) text[++size] = line; close(examples $2) }
+    /^\\(skip|until|line) / { pattern = substr($0, index($0, " ") + 1) }
+    /^\\skip / { depth = 0; while(at < size && !index(text[at], pattern)) ++at }
+    /^\\(until|line) / {
+      do show(text[at]); while(!index(text[at++], pattern) && at <= size)
+      is_excerpt = 1; place = FILENAME ":" FNR
+    }' "$root"/doc/*/*.txt
+  awk '/^\\endcode/ { is_code = 0 }
+       is_code && NF { sub(/^ +/, ""); print FILENAME ":" FNR "\t" $0 }
+       /^\\code\{\.cpp\}/ { is_code = 1 }' "$root"/doc/*/*.txt |
+    while IFS=$'\t' read -r place line; do
+      grep -rqF --include=*.cpp -e "$line" "$root"/examples "$root"/test || echo "$place: no program has this line"
+    done)
 # Doxygen would take a number with a period at the beginning of a line for a list.
 while read -r place; do
   echo "$place: a line of text begins with a number and a period"

@@ -7,12 +7,16 @@ import shlex
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
 ENGINE = '-DCGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE'
-UNITS = [('types of a complex alone', 'types_only', []),
-         ('ARAP `parameterize()` of a surface', 'map_of_surface', []),
-         ('`make_mesh_3()`', 'mesh_of_surface', []),
-         ('map of a complex, engine linked', 'map_of_complex', [ENGINE]),
-         ('map of a complex, headers only', 'map_of_complex', [])]
+MESH_AND_MAP = ROOT / 'examples/Volume_mesh_parameterization/mesh_and_parameterize.cpp'
+UNITS = [('types of a complex alone', 'types_only.cpp', []),
+         ('ARAP `parameterize()` of a surface', 'map_of_surface.cpp', []),
+         ('`make_mesh_3()`', 'mesh_of_surface.cpp', []),
+         ('map of a complex, engine linked', 'map_of_complex.cpp', [ENGINE]),
+         ('map of a complex, headers only', 'map_of_complex.cpp', []),
+         ('map of arrays, engine linked', 'map_of_arrays.cpp', [ENGINE]),
+         ('`make_mesh_3()` and map, engine linked', MESH_AND_MAP, [ENGINE])]
 
 
 def compiled(command):
@@ -29,12 +33,12 @@ def main():
     parser.add_argument('--compiler', default='g++')
     parser.add_argument('--flags', default='-std=c++17 -O3 -DNDEBUG -frounding-math -isystem /usr/include/eigen3')
     options = parser.parse_args()
-    flags = ['-I' + str(HERE.parents[1] / 'include'), '-DCGAL_EIGEN3_ENABLED', *shlex.split(options.flags)]
+    flags = ['-I' + str(ROOT / 'include'), '-DCGAL_EIGEN3_ENABLED', *shlex.split(options.flags)]
     print('| unit | user seconds | ratio | GB | ratio |\n|---|---:|---:|---:|---:|')
     with tempfile.TemporaryDirectory() as folder:
         first = None
-        for name, stem, macros in UNITS:
-            seconds, memory = compiled([options.compiler, *flags, *macros, '-c', str(HERE / 'compile_time' / (stem + '.cpp')),
+        for name, unit, macros in UNITS:
+            seconds, memory = compiled([options.compiler, *flags, *macros, '-c', str(HERE / 'compile_time' / unit),
                                         '-o', os.path.join(folder, 'unit.o')])
             first = first or (seconds, memory)
             print(f'| {name} | {seconds:.1f} | {seconds / first[0]:.1f} | {memory:.2f} | {memory / first[1]:.1f} |', flush=True)
