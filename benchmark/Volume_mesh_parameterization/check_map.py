@@ -89,7 +89,8 @@ def structural_fault(source, refined, image):
     return ""
 
 
-def check(source_file, target_file, refined_file, image_file):
+def check(source_file, target_file, refined_file, image_file, is_free=False):
+    """If the boundary is free, only vertices with a target are prescribed."""
     source, refined, image = map(read_mesh, (source_file, refined_file, image_file))
     targets = read_targets(target_file, len(source.points))
     added = len(refined.points) - len(source.points)
@@ -106,8 +107,8 @@ def check(source_file, target_file, refined_file, image_file):
         fault = "the cells of the refined source do not have one orientation"
 
     inverted = sum(orientation(image.points, cell) != sign for cell, sign in zip(image.cells, refined_signs))
-    boundary = {v for facet in boundary_facets(source.cells) for v in facet}
-    missed = sum(v not in targets or bits(image.points[v]) != bits(targets[v]) for v in boundary)
+    prescribed = targets if is_free else {v for facet in boundary_facets(source.cells) for v in facet}
+    missed = sum(v not in targets or bits(image.points[v]) != bits(targets[v]) for v in prescribed)
     return Verdict(fault, inverted, missed, added)
 
 

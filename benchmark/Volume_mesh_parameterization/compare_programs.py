@@ -1,18 +1,19 @@
 #!/usr/bin/env python3
 """Compares the maps of several programs, and the times that they take, on the same cases of public sets.
 
-compare_programs.py DRIVER --set volmap=FOLDER --set wrapd=FOLDER --options "--refine" --page page.md \\
-  --external "NAME=other -s {source} -b {target} -o {output}" --first-valid "NAME=untangled at (\\S+) s"
+compare_programs.py PARAMETERIZE_MESH_FILE --set volmap=FOLDER --set wrapd=FOLDER --set handles=FOLDER --options "--refine" \\
+  --external "NAME=other -s {source} -b {target} -o {output}" --first-valid "NAME=untangled at (\\S+) s" --page page.md
 
 public_sets.py lists the sets that are read, as they are published.
-The driver and the other programs, which are not part of this package, run one after the other. A command has the words
-{source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates; a
-program that refines writes the refined source to {refined}. All maps are checked alike, by check_map.py in exact
-arithmetic, and so are their distortions, of the map scaled to the volume of the source. Seconds are those that the
-processor spends on the whole program with its files, so other programs on the machine hardly change them; those until
-the first valid map are what the program says, less the part of its time in which it did not run. Memory is the largest that
-was in use. Tables are in Markdown, and so is the page: what was run, on which machine, all results, and each case that the
-driver does not solve. The page begins with the cases in which another program is better than the driver.
+parameterize_mesh_file and the other programs, which are not part of this package, run one after the other. A command has the
+words {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates. A program
+that refines writes the refined source to {refined}. If the boundary is free, as in the set "handles", {target} has the handles only.
+All maps are checked alike, by check_map.py in exact arithmetic, and so are their distortions, of the map scaled to the volume of
+the source. Seconds are those that the processor spends on the whole program with its files, so other programs on the machine hardly
+change them; those until the first valid map are what the program says, less the part of its time in which it did not run. Each
+program gets --time-limit seconds for each case. Memory is the largest that was in use. Tables are in Markdown, and so is the page:
+what was run, on which machine, all results, and each case that parameterize_mesh_file does not solve. The page begins with the
+cases in which another program is better than parameterize_mesh_file.
 """
 import argparse
 import datetime
@@ -40,17 +41,19 @@ from tables import write_csv, write_json
 COLUMNS = ["case", "program", "status", "seconds_to_first_valid", "seconds", "megabytes", "angle_mean", "angle_max", "volume_mean",
            "volume_max"]
 TIMES = COLUMNS[3:5]
-HEADINGS = {"flip_free": "valid", "seconds_to_first_valid": "first", "megabytes": "MB", "angle_mean": "angles", "angle_max": "largest",
-            "volume_mean": "volumes", "volume_max": "largest", "ratio_of_seconds_to_first_valid": "ratio of first",
-            "ratio_of_seconds": "ratio of seconds"}
+HEADINGS = {"flip_free": "valid", "seconds_to_first_valid": "s to first", "seconds": "s in all", "megabytes": "MB",
+            "angle_mean": "angles, mean", "angle_max": "angles, largest", "volume_mean": "volumes, mean",
+            "volume_max": "volumes, largest", "ratio_of_seconds_to_first_valid": "ratio to first",
+            "ratio_of_seconds": "ratio in all", "better": "better than parameterize_mesh_file"}
 INTRODUCTION = """\
-A map is valid if it has no inverted cell. It is exact if it also meets the prescribed boundary bit by bit. Rational arithmetic
-decides this for the written files. Seconds are processor time of the whole program, with its files. The column "first" is the
-time of the first map without inverted cells. MB is the largest memory in use. The distortion of angles is s1 / s3 + s3 / s1, and
-the distortion of volumes is det + 1 / det. Both have two columns: the mean over the volume of the source, and the largest value.
-Tables of programs have medians over the common cases: the cases of all programs, except programs without any map. Ratios are
-relative to the first program, and are medians over the cases that both map. Programs may have other aims: some stop at the first
-valid map. A program that its limit of processor time ended has the status "not within" this limit: it may find a map later.
+A map is valid if it has no inverted cell. It is exact if it also meets the prescribed boundary bit by bit, or the handles if the
+rest of the boundary is free. Rational arithmetic decides this for the written files. Seconds are processor time of the whole
+program, with its files: until the first map without inverted cells ("s to first"), and in all. MB is the largest memory in use. The
+distortion of angles is s1 / s3 + s3 / s1, and the distortion of volumes is det + 1 / det. Both have two columns: the mean over the
+volume of the source, and the largest value. Tables of programs have medians over the common cases: the cases of all programs,
+except programs without any map. Ratios are relative to the first program, and are medians over the cases that both map. Programs
+may have other aims: some stop at the first valid map. A program that its limit of processor time ended has the status "not within"
+this limit: it may find a map later.
 
 """
 OURS = "parameterize_mesh_file"
@@ -105,7 +108,7 @@ def judge(case, folder):
     output, refined = folder / "output.mesh", folder / "refined.mesh"
     source = refined if refined.exists() else case.source
     try:
-        verdict = check(case.source, case.target, source, output)
+        verdict = check(case.source, case.target, source, output, case.is_free)
     except (OSError, ValueError, IndexError):
         return {"status": "no map"}
     row = {"status": status(verdict)}
@@ -118,8 +121,7 @@ def run_command(words, folder, time_limit):
     """What the program prints, the resources that it has used, its own children included, and whether the system ended it after
     this processor time. The system ends each of its children by this limit, too."""
     def limit():
-        if time_limit:
-            resource.setrlimit(resource.RLIMIT_CPU, (time_limit, time_limit + 1))
+        resource.setrlimit(resource.RLIMIT_CPU, (time_limit, time_limit + 1))
     with open(folder / "output.txt", "w+") as output:
         process = subprocess.Popen(words, stdout=output, stderr=subprocess.STDOUT, preexec_fn=limit)
         _, status_of_process, usage = os.wait4(process.pid, 0)
@@ -136,11 +138,14 @@ def run(name, command, first_valid, case, time_limit, pool):
         paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
                  "refined": folder / "refined.mesh", "report": folder / "report.json"}
         begin = time.monotonic()
-        output, usage, is_ended = run_command([word.format(**paths) for word in shlex.split(command)], folder, time_limit)
+        words = [word.format(**paths) for word in shlex.split(command)]
+        if name == OURS and case.is_free:
+            words += ["--others", "free"]
+        output, usage, is_ended = run_command(words, folder, time_limit)
         elapsed, row["seconds"] = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
         row["megabytes"] = usage.ru_maxrss / 1000
         row.update(pool.submit(judge, case, folder).result())
-        is_late = time_limit and row["seconds"] > 0.9 * time_limit  # as if a child was ended; the system counts in ticks
+        is_late = row["seconds"] > 0.9 * time_limit  # as if a child was ended; the system counts in ticks
         if row["status"] == "no map" and (is_ended or is_late):
             row["status"] = f"not within {time_limit} s"
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
@@ -164,7 +169,7 @@ def number_in_report(_, folder):
 
 def summary(rows, programs):
     """A row a program: how many cases it solves, and medians over those that all map without inverted cells, except
-    programs that never do; how the times relate to those of the driver, medians over the cases that both map."""
+    programs that never do; how the times relate to those of the first, medians over the cases that both map."""
     mapped = [{row["case"] for row in rows if row["program"] == name and "angle_mean" in row} for name in programs]
     common = set.intersection(*(filter(None, mapped))) if any(mapped) else set()
     result = []
@@ -185,7 +190,7 @@ def summary(rows, programs):
 
 
 def losses(rows, programs):
-    """A row for each other program: in how many of the cases that both map it is better than the driver, for each column."""
+    """A row for each other program: in how many of the cases that both map it is better than parameterize_mesh_file, by column."""
     ours = {row["case"]: row for row in rows if row["program"] == OURS}
     result = []
     for name in programs:
@@ -193,7 +198,7 @@ def losses(rows, programs):
                 if row["program"] == name != OURS and "angle_mean" in row and "angle_mean" in ours[row["case"]]]
         if both:
             better = {column: sum(column in b and b[column] < a[column] for a, b in both) for column in COLUMNS[3:]}
-            result.append({"better than the driver": name, "both map": len(both), **better})
+            result.append({"better": name, "both map": len(both), **better})
     return result
 
 
@@ -202,7 +207,7 @@ def cell_text(value):
 
 
 def table(rows, columns):
-    rules = ["---" if column in ("case", "program", "status", "message", "set", "better than the driver") else "---:" for column in columns]
+    rules = ["---" if column in ("case", "program", "status", "message", "set", "better") else "---:" for column in columns]
     lines = [[HEADINGS.get(column, column) for column in columns], rules,
              *([cell_text(row.get(column)) for column in columns] for row in rows)]
     return "".join("| " + " | ".join(line) + " |\n" for line in lines) + "\n"
@@ -224,7 +229,7 @@ def page(programs, driver, sets):
     text += "".join(f"- {line}\n" for line in lines) + "\n"
     lost = [{"set": name, **line} for name, rows, _ in sets for line in losses(rows, programs)]
     if lost:
-        text += "The number of cases in which another program is better than the driver, of those that both map:\n\n"
+        text += f"The number of cases in which another program is better than {OURS}, of those that both map:\n\n"
         text += table(lost, list(lost[0]))
     for name, rows, number_left_out in sets:
         lines = summary(rows, programs)
@@ -251,11 +256,12 @@ def main():
     parser.add_argument("--set", action="append", required=True, metavar="NAME=FOLDER",
                         help="a folder of " + ", ".join(READERS))
     parser.add_argument("--filter", default="", help="only cases whose name contains this regular expression")
-    parser.add_argument("--options", default="", help="options of the driver")
+    parser.add_argument("--options", default="", help="options of parameterize_mesh_file")
     parser.add_argument("--external", action="append", default=[], metavar="NAME=COMMAND", help="another program")
     parser.add_argument("--first-valid", action="append", default=[], metavar="NAME=REGEX",
                         help="seconds until no cell was inverted, in the output of that program; the last match counts")
-    parser.add_argument("--time-limit", type=int, metavar="SECONDS", help="of the processor, for each program")
+    parser.add_argument("--time-limit", type=int, default=120, metavar="SECONDS",
+                        help="of the processor, for each program and case (%(default)s)")
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
     parser.add_argument("--page", metavar="FILE", help="write a page with all results")
     arguments = parser.parse_args()

@@ -6,6 +6,7 @@ A set is a name and a folder:
   they are
 - pairs: NAME_source.mesh and NAME_polycube.mesh, taken as they are
 - wrapd: folders with *_rest and *_soln of TetGen (.node, .ele): the boundary of each is the target of the other
+- handles: the same folders, with *_handles.txt: the vertices that are moved to their positions in *_soln, and all others are free
 - hexahedra: NAME.mesh and NAME_polycube.mesh, or NAME_model.mesh and NAME_polycube.mesh, of the same hexahedra (polycube
   papers in HexaLab): each hexahedron becomes six tetrahedra
 - poses: NAME.mesh and NAME-*.obj, each with a position for each vertex (flip-free parametrization): NAME is mapped to the
@@ -66,8 +67,8 @@ def oriented(points, cells):
     return [(a, c, b, d) for a, b, c, d in cells] if signs == {-1} else None
 
 
-def write_case(folder, name, points, cells, targets):
-    """A case in the form of VOLMAP; none if cells of the source are flat or of both signs."""
+def write_case(folder, name, points, cells, targets, handles=None):
+    """A case in the form of VOLMAP; none if cells of the source are flat or of both signs. With handles, the boundary is free."""
     cells = oriented(points, cells)
     if cells is None:
         return None
@@ -79,9 +80,9 @@ def write_case(folder, name, points, cells, targets):
         file.writelines(" ".join(str(v + 1) for v in cell) + " 0\n" for cell in cells)
         print("End", file=file)
     with open(text, "w") as file:
-        for v in sorted({v for facet in boundary_facets(cells) for v in facet}):
+        for v in sorted(handles or {v for facet in boundary_facets(cells) for v in facet}):
             print(v, *map(repr, targets[v]), file=file)
-    return Case(name, mesh, text)
+    return Case(name, mesh, text, handles is not None)
 
 
 def cases_of_wrapd(source, output):
@@ -92,6 +93,15 @@ def cases_of_wrapd(source, output):
             solved, _ = read_TetGen(solution.with_suffix(""))
             yield write_case(output, f"{name}_to_solution", rest, cells, solved)
             yield write_case(output, f"{name}_to_rest", solved, cells, rest)
+
+
+def cases_of_handles(source, output):
+    for handles in sorted(Path(source).rglob("*_handles.txt")):
+        name = handles.stem[:-len("_handles")]
+        rest, cells = read_TetGen(handles.with_name(f"{name}_rest"))
+        (solution,) = handles.parent.glob(f"{name}*_soln.node")
+        solved, _ = read_TetGen(solution.with_suffix(""))
+        yield write_case(output, f"{name}_handles", rest, cells, solved, set(map(int, handles.read_text().split())))
 
 
 def cases_of_hexahedra(source, output):
@@ -118,7 +128,7 @@ def cases_of_poses(source, output):
 
 
 READERS = {"volmap": lambda source, _: find_cases(volmap=source), "pairs": lambda source, _: find_cases(pairs=source),
-           "wrapd": cases_of_wrapd, "hexahedra": cases_of_hexahedra, "poses": cases_of_poses}
+           "wrapd": cases_of_wrapd, "handles": cases_of_handles, "hexahedra": cases_of_hexahedra, "poses": cases_of_poses}
 
 
 def cases_of_set(name, folder, output):

@@ -3,7 +3,8 @@ import re
 from collections import namedtuple
 from pathlib import Path
 
-Case = namedtuple("Case", "name source target")
+# `is_free`: the boundary is free where it has no target
+Case = namedtuple("Case", "name source target is_free", defaults=[False])
 
 
 def find_cases(volmap=None, pairs=None, pattern=""):
