@@ -5,11 +5,13 @@ set -euo pipefail
 
 usage="Usage: scripts/test_matrix.sh [--folder FOLDER] [--cgal PREFIX] [--eigen PREFIX] [CONFIGURATION...]
 
-Without a configuration, all of these, but for the sanitizers:
+Without a configuration, all of these, but for the sanitizers and the coverage:
   default      the compiler, the standard and the libraries that CMake finds
   assertions   with the assertions of this package, of CGAL and of Eigen
   library      with the assertions of GNU's C++ library, as some distributions compile all
   sanitizers   clang++ with the sanitizers of addresses and of undefined behaviour; for hours
+  fuzz         each reader of files, with damaged files of libFuzzer for two minutes, and the same sanitizers
+  coverage     the lines of include/ that tests reach, by part, and a list of those that none reaches; for an hour
   threads      the core: several threads at once, with clang++ and the sanitizer of threads, without TBB, which is not compiled
                for it
   clang        clang++
@@ -46,7 +48,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions library threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers optimized libc++ no_gmp arm64 windows
+  configurations=(default assertions library fuzz threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers optimized libc++ no_gmp arm64 windows
     ${cgal:+cgal_core})
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -107,7 +109,7 @@ check_headers_with_cgal()
     sed 's/.*/#include <&>/') > "$unit"
   for standard in 17 20; do
     for deprecated in -UCGAL_NO_DEPRECATED_CODE -DCGAL_NO_DEPRECATED_CODE; do
-      "${CXX:-g++}" "-std=c++$standard" -fsyntax-only -Wall -Wextra -Wshadow -Wconversion -Werror "$deprecated" \
+      "${CXX:-g++}" "-std=c++$standard" -fsyntax-only -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror "$deprecated" \
         -DCGAL_EIGEN3_ENABLED -frounding-math -I "$root/include" -isystem "$cgal/include" -isystem /usr/include/eigen3 \
         "$unit" || return 1
     done
@@ -129,6 +131,40 @@ test_optimized()
   echo "100% tests passed, 0 tests failed out of 4"
 }
 
+# Each reader is a name of one program. Its seeds, and what it finds, stay in FOLDER/fuzz.
+fuzz_readers()
+{
+  local build="$folder/fuzz" reader readers=(MEDIT VTU targets.txt targets.csv targets.vtp features conditions)
+  mkdir -p "$build"
+  clang++ -std=c++17 -O1 -g -DCGAL_EIGEN3_ENABLED -DCGAL_VOLUME_MESH_PARAMETERIZATION_USE_{ZLIB,LZMA,LZ4} -frounding-math \
+    -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I "$root/include" -isystem /usr/include/eigen3 \
+    "$root/test/Volume_mesh_parameterization/fuzz_readers.cpp" -o "$build/fuzz_readers" -lmpfr -lgmp -lz -llzma -llz4 || return 1
+  for reader in "${readers[@]}"; do
+    ln -sfn fuzz_readers "$build/$reader"
+    mkdir -p "$build/inputs_$reader"
+    (cd "$build" && "./$reader" "inputs_$reader" -max_total_time=120 -timeout=10 -print_final_stats=1) || return 1
+  done
+  echo "100% tests passed, 0 tests failed out of ${#readers[@]}"
+}
+
+# Prints the part of the lines of include/ that tests reach, by folder. The others are in FOLDER/coverage/untested.txt.
+measure_coverage()
+{
+  local build="$folder/coverage" programs
+  rm -rf "$build/profiles"
+  LLVM_PROFILE_FILE="$build/profiles/%m.profraw" build_and_test coverage -DCMAKE_CXX_COMPILER=clang++ \
+    "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" || return 1
+  mapfile -t programs < <(find "$build" -type f -executable ! -name '*.so*' ! -path '*CMakeFiles*' ! -path '*/installed*' |
+    while read -r program; do [ "$(head -c 4 "$program" | tail -c 3)" != ELF ] || printf -- '-object\n%s\n' "$program"; done)
+  llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw &&
+    llvm-cov export -format=lcov -instr-profile="$build/all.profdata" "${programs[@]:1}" |
+    awk -v include="$root/include/CGAL/" -v untested="$build/untested.txt" '
+      /^SF:/ { is_ours = index($0, include); file = substr($0, 4 + length(include)); part = file; sub(/\/?[^\/]*$/, "", part) }
+      /^DA:/ && is_ours { split(substr($0, 4), number, ","); ++lines[part]
+                          if(number[2] > 0) ++reached[part]; else print file ":" number[1] > untested }
+      END { for(part in lines) printf "%5.1f %% of %5d lines  %s\n", 100 * reached[part] / lines[part], lines[part], part }' | sort -k 6
+}
+
 # Several threads are a program of their own.
 test_threads()
 {
@@ -148,6 +184,8 @@ run()
     library) build_and_test "$1" -DCMAKE_CXX_FLAGS=-D_GLIBCXX_ASSERTIONS ;;
     sanitizers) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ \
                   "-DCMAKE_CXX_FLAGS=-fsanitize=address,undefined -fno-sanitize-recover=all" ;;
+    fuzz) fuzz_readers ;;
+    coverage) measure_coverage ;;
     threads) test_threads ;;
     clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
     minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF \
@@ -168,7 +206,7 @@ run()
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang libclang-rt-dev gmsh libgmsh-dev libvtk9-dev \
+"$root/scripts/install_dependencies.sh" clang libclang-rt-dev llvm gmsh libgmsh-dev libvtk9-dev \
   meshio-tools python3-meshio tetgen libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
   qemu-user-static g++-mingw-w64-x86-64-posix wine64
 mkdir -p "$folder"

@@ -154,7 +154,12 @@ std::vector<std::string> VTU_files()
 <DataArray type="UInt8" Name="types" format="ascii">10</DataArray>
 </Cells><CellData><DataArray type="Int32" Name="material" format="binary">BAAAAAUAAAA=</DataArray></CellData></Piece>
 </UnstructuredGrid></VTKFile>)";
-  return { written([](std::ostream& os) { VMP::IO::write_VTU(os, cube(), cube().points); }), text };
+  std::string compressed = text;
+  const std::string type = "<VTKFile ", connectivity = "format=\"ascii\">0 1 2 3";
+  compressed.replace(compressed.find(connectivity), connectivity.size(),
+                     "format=\"binary\">AQAAACAAAAAAAAAAEwAAAA==eJxjYIAARijNBKWZoTQAAHAABw==");
+  compressed.replace(0, type.size(), "<VTKFile compressor=\"vtkZLibDataCompressor\" ");
+  return { written([](std::ostream& os) { VMP::IO::write_VTU(os, cube(), cube().points); }), text, compressed };
 }
 
 struct Reader

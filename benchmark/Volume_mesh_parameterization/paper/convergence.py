@@ -2,7 +2,8 @@
 import math
 from pathlib import Path
 
-from page import claim, figures, heading, number, paragraph, table
+from figure import ENERGIES, Convergence_of_energies, against, curve
+from page import claim, figures, heading, paragraph, table
 
 import printed_values as printed
 from plots import plot
@@ -10,12 +11,7 @@ from render import image_of, picture, read, surface
 from runs import distortions, iterations, measure
 from views import view
 
-ENERGIES = ("dirichlet", "arap", "stretch", "lscm", "lpm")
 D_COLUMNS = ["Daa", "Dma", "Dav", "Dmv"]
-
-
-def curve(run, *keys):
-    return [(row["step"], sum(row[key] for key in keys)) for row in run.log]
 
 
 def end_of(run):
@@ -24,10 +20,6 @@ def end_of(run):
         return math.inf, math.inf
     end = run.log[-1]
     return end["distortion_energy"] + end["position_energy"], end["distance"]
-
-
-def against(pairs):
-    return ", ".join(f"{number(a)} against {number(b)}" for a, b in pairs)
 
 
 class Relaxation_figures:
@@ -167,27 +159,19 @@ class Weights_and_guesses:
                 table(output / "weights.csv", ["", "iterations", "seconds", "energy", "|P(u)|", "inverted cells"], rows)]
 
 
-class Energies:
-    """Fig. 6 and 7, Table 1: five energies, with the inverse spline barrier where they have none, w = 1e8."""
+class Energies(Convergence_of_energies):
+    """The same figures for the duck, and Table 1."""
 
     def __init__(self, runs):
-        self.case = runs.case("duck", "cube")
-        self.soft = {energy: runs.soft(self.case, "soft_" + energy, "--energy", energy, "--full-hessian") for energy in ENERGIES}
+        super().__init__(runs, runs.case("duck", "cube"))
         cases = {"duck": self.case, "max": runs.case("max", "polycube"), "sphinx": runs.case("sphinx", "cube")}
         self.fixed = {(model, energy): runs.ours(case, "fixed_" + energy, "--energy", energy, "--max-iterations", 300)
                       for model, case in cases.items() for energy in ENERGIES}
 
     def parts(self, output):
+        parts = super().parts(output)
         soft = {energy: job.result() for energy, job in self.soft.items()}
         fixed = {key: job.result() for key, job in self.fixed.items()}
-        keys = ("distortion_energy", "position_energy")
-        self.claims = self._claims(soft)
-        parts = [heading("Fig. 6 and 7: convergence with five energies, duck to the cube, w = 1e8"),
-                 self._steps(output, soft)]
-        for name, energies in (("figure_6", ENERGIES[:3]), ("figure_7", ENERGIES[3:])):
-            panels = [(energy, "energy", [("total", curve(soft[energy], *keys))]) for energy in energies]
-            parts.append(figures([(plot(output / f"{name}.svg", panels, len(panels)), name.replace("_", " "))],
-                                 370 * len(panels)))
         parts.append(heading("Table 1: distortions and time with five energies"))
         rows, indices = [], []
         for energy in ENERGIES:
@@ -200,34 +184,6 @@ class Energies:
         parts.append(table(output / "table_1.csv", ["", *D_COLUMNS, "seconds", "inverted cells"], rows, indices))
         return parts
 
-    def _steps(self, output, soft):
-        rows = [("paper, read off the plots", *(printed.FIGURES_6_7[energy] for energy in ENERGIES)),
-                ("ours", *(soft[energy].steps for energy in ENERGIES))]
-        return table(output / "figures_6_7.csv", ["iterations", *ENERGIES], rows, (0,))
-
     @staticmethod
     def _row(run):
         return (*distortions(run), run.seconds, measure(run, "inverted_cells"))
-
-    @staticmethod
-    def _claims(soft):
-        D = {energy: distortions(run) for energy, run in soft.items()}
-        factor = min(D[energy][1] for energy in ENERGIES if energy != "stretch") / D["stretch"][1]
-        volumes = [D[energy][3] for energy in ENERGIES]
-        steps = {energy: iterations(run) for energy, run in soft.items()}
-        seconds = {energy: run.seconds for energy, run in soft.items()}
-        three = [steps[energy] for energy in ENERGIES[:3]]
-        return [
-            claim("Fig. 6", "Dirichlet, ARAP and stretch converge alike, within a factor of 2", [max(three) <= 2 * min(three)],
-                  f"{', '.join(map(number, three))} iterations; in the paper about 18, 12, 14"),
-            claim("Table 1", "stretch has much lower distortions of angles, at least by a factor of 5 in Dma", [factor >= 5],
-                  f"factor {factor:.1f}; in the paper 19.2"),
-            claim("Table 1", "the volumes are distorted alike by all energies, within a factor of 1.2 in Dmv",
-                  [max(volumes) <= 1.2 * min(volumes)], ", ".join(f"{name} {x:.4g}" for name, x in zip(ENERGIES, volumes))),
-            claim("Table 1", "stretch takes longer than Dirichlet and ARAP",
-                  [seconds["stretch"] > seconds[energy] for energy in ENERGIES[:2]],
-                  ", ".join(f"{energy} {seconds[energy]:.2f} s" for energy in ENERGIES[:3])),
-            claim("Fig. 7", "LPM converges faster than LSCM", [steps["lpm"] < steps["lscm"]],
-                  f"{against([(steps['lpm'], steps['lscm'])])} iterations; in the paper about 25 against 70"),
-            claim("Table 1", "LPM has lower distortions than LSCM", [a < b for a, b in zip(D["lpm"], D["lscm"])],
-                  against(zip(D["lpm"], D["lscm"])) + " for Daa, Dma, Dav, Dmv")]
