@@ -62,9 +62,6 @@ perl -0777 -i -pe '
           $anchor{$2} = $1 while $page =~ /id="(\w+)"[^>]*><\/a>\s*<h2 class="memtitle"><span.*?<\/span>(\w+)\(/g }
   s|<code>(\w+)(\([^<]*\))?</code>|$anchor{$1} ? "<a class=\"el\" href=\"group__PkgVolumeMeshParameterizationNamedParameters.html#$anchor{$1}\">$&</a>" : $&|ge
 ' $output/html/{index,class*,struct*,group*,*Manual,*Paper}.html
-# The pages for editors and authors are linked by the history of the package, and are not in the tree of pages for users.
-perl -0777 -i -pe 's/    \[ "[^"]*", "PkgVolumeMeshParameterization(Submission|Style)\.html", (null|"\w+"|(\[(?:[^][]|(?3))*\])) \],\n//g' \
-  $output/html/navtreedata.js
 if grep -n '`' $output/html/{index,Pkg,class,struct,group,namespace}*.html; then
   echo "Doxygen did not read the code in these lines" >&2
   exit 1

@@ -15,6 +15,7 @@ Without a configuration, all of these, but for the sanitizers and the coverage:
   threads      the core: several threads at once, with clang++ and the sanitizer of threads, without TBB, which is not compiled
                for it
   clang        clang++
+  clang19      clang++-19, the newest of Debian 12
   minimal      C++20, without TBB, CHOLMOD, PETSc, Gmsh, VTK and what decompresses files
   petsc        the tests with several processes, with the assertions of this package, of CGAL and of Eigen
   cgal         the CGAL installed in the folder given by --cgal
@@ -48,7 +49,7 @@ while [ $# -gt 0 ]; do
 done
 configurations=("$@")
 if [ $# -eq 0 ]; then
-  configurations=(default assertions library fuzz threads clang minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers optimized libc++ no_gmp arm64 windows
+  configurations=(default assertions library fuzz threads clang clang19 minimal petsc ${cgal:+cgal} ${eigen:+eigen} headers optimized libc++ no_gmp arm64 windows
     ${cgal:+cgal_core})
 fi
 export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
@@ -150,10 +151,10 @@ fuzz_readers()
 # Prints the part of the lines of include/ that tests reach, by folder. The others are in FOLDER/coverage/untested.txt.
 measure_coverage()
 {
-  local build="$folder/coverage" programs
+  local build="$folder/coverage" programs status=0
   rm -rf "$build/profiles"
-  LLVM_PROFILE_FILE="$build/profiles/%m.profraw" build_and_test coverage -DCMAKE_CXX_COMPILER=clang++ \
-    "-DCMAKE_CXX_FLAGS=-fprofile-instr-generate -fcoverage-mapping" || return 1
+  CXXFLAGS="-fprofile-instr-generate -fcoverage-mapping" LLVM_PROFILE_FILE="$build/profiles/%m.profraw" \
+    build_and_test coverage -DCMAKE_CXX_COMPILER=clang++ || status=1
   mapfile -t programs < <(find "$build" -type f -executable ! -name '*.so*' ! -path '*CMakeFiles*' ! -path '*/installed*' |
     while read -r program; do [ "$(head -c 4 "$program" | tail -c 3)" != ELF ] || printf -- '-object\n%s\n' "$program"; done)
   llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw &&
@@ -162,7 +163,8 @@ measure_coverage()
       /^SF:/ { is_ours = index($0, include); file = substr($0, 4 + length(include)); part = file; sub(/\/?[^\/]*$/, "", part) }
       /^DA:/ && is_ours { split(substr($0, 4), number, ","); ++lines[part]
                           if(number[2] > 0) ++reached[part]; else print file ":" number[1] > untested }
-      END { for(part in lines) printf "%5.1f %% of %5d lines  %s\n", 100 * reached[part] / lines[part], lines[part], part }' | sort -k 6
+      END { for(part in lines) printf "%5.1f %% of %5d lines  %s\n", 100 * reached[part] / lines[part], lines[part], part }' | sort -k 6 &&
+    return "$status"
 }
 
 # Several threads are a program of their own.
@@ -188,6 +190,7 @@ run()
     coverage) measure_coverage ;;
     threads) test_threads ;;
     clang) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++ ;;
+    clang19) build_and_test "$1" -DCMAKE_CXX_COMPILER=clang++-19 ;;
     minimal) build_and_test "$1" -DCMAKE_CXX_STANDARD=20 -DCMAKE_DISABLE_FIND_PACKAGE_TBB=ON -DCHOLMOD_LIBRARY=OFF \
                -DZLIB_LIBRARY=OFF -DLZMA_LIBRARY=OFF -DLZ4_LIBRARY=OFF \
                -DGMSH_LIBRARY=OFF -DCMAKE_DISABLE_FIND_PACKAGE_VTK=ON \
@@ -206,7 +209,7 @@ run()
   esac
 }
 
-"$root/scripts/install_dependencies.sh" clang libclang-rt-dev llvm gmsh libgmsh-dev libvtk9-dev \
+"$root/scripts/install_dependencies.sh" clang clang-19 libclang-rt-dev llvm gmsh libgmsh-dev libvtk9-dev \
   meshio-tools python3-meshio tetgen libc++-dev libc++abi-dev g++-aarch64-linux-gnu \
   qemu-user-static g++-mingw-w64-x86-64-posix wine64
 mkdir -p "$folder"
