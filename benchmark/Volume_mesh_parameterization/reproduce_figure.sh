@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Draws Fig. 6 and 7 of the paper, the convergence of five energies, for a jittered grid that is mapped to a twisted ellipsoid.
 # Installs what is missing, builds, and writes build/figure/index.html with the plots and the claims of the paper. It needs no data,
-# and a few minutes on two idle cores, most of them for the compiler. reproduce_paper has all figures, with models like those of the paper.
+# and a few minutes on two idle cores, most of them for the compiler. reproduce_paper has all figures, with models like those of
+# the paper.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
