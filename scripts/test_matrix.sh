@@ -132,7 +132,7 @@ test_optimized()
   echo "100% tests passed, 0 tests failed out of 4"
 }
 
-# Each reader is a name of one program. Its seeds, and what it finds, stay in FOLDER/fuzz.
+# Each reader is a name of one program, and reads files in memory. Its seeds, and what it finds, stay in FOLDER/fuzz.
 fuzz_readers()
 {
   local build="$folder/fuzz" reader readers=(MEDIT VTU targets.txt targets.csv targets.vtp features conditions)
@@ -143,7 +143,7 @@ fuzz_readers()
   for reader in "${readers[@]}"; do
     ln -sfn fuzz_readers "$build/$reader"
     mkdir -p "$build/inputs_$reader"
-    (cd "$build" && "./$reader" "inputs_$reader" -max_total_time=120 -timeout=10 -print_final_stats=1) || return 1
+    (cd "$build" && TMPDIR=/dev/shm "./$reader" "inputs_$reader" -max_total_time=120 -timeout=10 -print_final_stats=1) || return 1
   done
   echo "100% tests passed, 0 tests failed out of ${#readers[@]}"
 }
