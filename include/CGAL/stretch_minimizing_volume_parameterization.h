@@ -35,7 +35,8 @@ cell. With soft boundary, the method of the paper, no cell is ever inverted, and
 predicates on the written coordinates check that no cell is inverted.
 
 \tparam ConcurrencyTag enables sequential versus parallel computation. Possible values are
-        `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it.
+        `Sequential_tag`, `Parallel_tag`, and `Parallel_if_available_tag`. The result does not depend on it. It depends on the
+        compiler, flags and instructions of the engine, and of the unit that names another energy or solver.
 \tparam C3t3 a model of `MeshComplex_3InTriangulation_3`; if it is not `const`, of
         `MeshComplexWithFeatures_3InTriangulation_3` too. Its triangulation must not be periodic.
 \tparam VertexUVWMap a model of `WritablePropertyMap` with `C3t3::Vertex_handle` as key type and
@@ -154,7 +155,7 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
     \cgalParamExtra{Results that depend on it are not reproducible.}
-    \cgalParamPrecondition{The value is a number.}
+    \cgalParamPrecondition{The value is a number, and not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that is called after each step, and may end the computation}

@@ -225,6 +225,7 @@ TEST_CASE("Numbers that limit nothing are refused by name")
   check(params::number_of_iterations(infinity), "number_of_iterations");
   check(params::number_of_iterations(nan_value), "number_of_iterations");
   check(params::maximum_running_time(nan_value), "maximum_running_time");
+  check(params::maximum_running_time(-1), "maximum_running_time must not be negative.");
   const auto soft = [](const double weight, const double factor)
   {
     VMP::Soft_boundary_parameters parameters;
@@ -236,6 +237,17 @@ TEST_CASE("Numbers that limit nothing are refused by name")
     check(soft(weight, 25), "weight of soft_boundary_parameters");
   for(const double factor : { 1., 0., nan_value, infinity })
     check(soft(100, factor), "weight_factor of soft");
+  for(double VMP::Soft_boundary_parameters::*const tolerance
+      : { &VMP::Soft_boundary_parameters::residual_tolerance, &VMP::Soft_boundary_parameters::energy_tolerance,
+          &VMP::Soft_boundary_parameters::relative_energy_tolerance, &VMP::Soft_boundary_parameters::step_tolerance,
+          &VMP::Soft_boundary_parameters::gradient_tolerance })
+    for(const double value : { -1., nan_value })
+    {
+      VMP::Soft_boundary_parameters parameters;
+      parameters.*tolerance = value;
+      check(params::soft_boundary_parameters(parameters), "tolerances of soft_boundary_parameters");
+    }
+  CHECK_THROWS_AS(VMP::Conjugate_gradient_solver_traits_3<>(-1), CGAL::Precondition_exception);
   CHECK(parameterize_complex(complex, soft(100, 25)).has_valid_map);
   CHECK(parameterize_complex(complex, params::number_of_iterations(1e300)).status == VMP::OK);
 

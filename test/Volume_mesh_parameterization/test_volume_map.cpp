@@ -168,7 +168,19 @@ TEST_CASE("Degenerate queries and meshes")
   CHECK(!empty.image(Point_3(0, 0, 0)));
   CHECK(!empty.nearest_image(Point_3(0, 0, 0)));
   CHECK_THROWS_AS(Volume_map_3(cube.soup.points, {{0, 1, 2, 8}}, cube.images), std::out_of_range);
-  CHECK_THROWS_AS(Volume_map_3(cube.soup.points, cube.soup.cells, {}), std::out_of_range);
+
+  // a container of another size, a cell of another map
+  Points images = cube.images;
+  images.push_back({0, 0, 0});
+  for(const Points& others : { images, Points(), Points(cube.images.begin(), cube.images.end() - 1) })
+  {
+    CHECK_THROWS_AS(Volume_map_3(cube.soup.points, cube.soup.cells, others), CGAL::Precondition_exception);
+    const std::vector<double> values(others.size());
+    CHECK_THROWS_AS(cube.map().interpolate(Volume_map_3::Location(), values), CGAL::Precondition_exception);
+  }
+  const Volume_map_3::Location elsewhere{ Point_3(0, 0, 0), cube.soup.cells.size(), { 1, 0, 0, 0 } };
+  CHECK_THROWS_AS(cube.map().interpolate(elsewhere, std::vector<double>(cube.images.size())), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(cube.map().inverse_differential(cube.soup.cells.size()), CGAL::Precondition_exception);
 
   // a flat cell, one at infinity, and a good one of negative orientation
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, nan}};

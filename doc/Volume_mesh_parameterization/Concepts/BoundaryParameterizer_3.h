@@ -42,6 +42,7 @@ this to the caller, as `CGAL::Volume_mesh_parameterization::Surface_boundary_par
     \cgalParamDescription{a limit for the running time in seconds}
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
+    \cgalParamPrecondition{The value is a number, and not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that receives each round (`Step_kind::ROUND`), and may end the computation}

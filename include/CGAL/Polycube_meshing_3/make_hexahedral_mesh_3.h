@@ -152,6 +152,7 @@ step takes time linear in the number of hexahedra, plus the solution of a sparse
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
     \cgalParamExtra{A Newton step is finished first. Results that depend on the limit are not reproducible.}
+    \cgalParamPrecondition{The value is a number, and not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{an object that is called in each round (`Step_kind::ROUND`), and may end the computation}

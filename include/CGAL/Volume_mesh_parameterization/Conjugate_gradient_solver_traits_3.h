@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -42,9 +43,10 @@ public:
   /// limits the number of iterations of each call of `solve()`, by default to 2,000; at the limit, it returns the last iterate.
   /// If a factorization takes no more multiplications, a map then factorizes the matrix, as `Eigen_solver_traits_3` does. The
   /// following matrices are factorized as long as iterations take longer.
+  /// \pre The limit is not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   explicit Conjugate_gradient_solver_traits_3(const int maximum_number_of_iterations = internal::default_limit_of_iterations)
     : m_solver(internal::make_conjugate_gradient_3<NT>(internal::is_parallel<ConcurrencyTag>(), maximum_number_of_iterations))
-  {}
+  { internal::require(maximum_number_of_iterations >= 0, "maximum_number_of_iterations must not be negative."); }
 
   /// copies a solver, which keeps its pattern and preconditioner.
   Conjugate_gradient_solver_traits_3(const Conjugate_gradient_solver_traits_3& other) : m_solver(other.m_solver->copy()) {}

@@ -123,7 +123,7 @@ measured on a copy of the problem in which the target has volume 1. The authors 
 are. With mean and unit volume, the parameters depend neither on the number of cells nor on units.
 
 The minimization for one weight ends as soon as one of three criteria holds: the energy, the positions, or the gradient have
-become stationary. The weight is then raised unless the constraints are satisfied.
+become stationary. The weight is then raised unless the constraints are satisfied. Tolerances are not negative.
 */
 struct Soft_boundary_parameters
 {

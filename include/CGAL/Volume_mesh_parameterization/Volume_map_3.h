@@ -92,13 +92,13 @@ public:
   Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map)) {}
 
   /// takes the points and cells of a mesh in arrays, as `CGAL::stretch_minimizing_volume_parameterization()` does, and the
-  /// image of each point. Throws `std::out_of_range` if an index of a cell does not exist, or if a point has no image.
+  /// image of each point. Throws `std::out_of_range` if an index of a cell does not exist.
+  /// \pre There are as many images as points; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   template <typename PointRange = std::vector<std::array<double, 3> >,
             typename CellRange = std::vector<std::array<std::size_t, 4> >,
             typename ImageRange = std::vector<std::array<double, 3> > >
   Volume_map_3(const PointRange& points, const CellRange& cells, const ImageRange& images)
-    : m_source(internal::coordinates_of(points), internal::indices_of(cells)),
-      m_target(internal::coordinates_of(images), internal::indices_of(cells))
+    : Volume_map_3(internal::Mapped_soup_3(internal::soup_of(points, cells), internal::coordinates_of(images)))
   {}
 
   /// returns the image of a point; empty if the point is outside.
@@ -123,9 +123,14 @@ public:
   /// \param location a result of one of the queries, of either direction
   /// \param values the value at each point of the arrays, or of a complex in the order of
   ///        `mesh_complex_3_to_tetrahedron_soup()`
+  /// \pre There are as many values as points, and the location is of this map; otherwise `CGAL::Precondition_exception` is
+  ///      thrown, in every build.
   template <typename ValueRange>
   auto interpolate(const Location& location, const ValueRange& values) const
   {
+    internal::require(internal::number_of_rows(values) == m_source.number_of_points(),
+                      "values must have an element for each point.");
+    internal::require(location.cell < m_source.number_of_cells(), "location must be a result of this map.");
     const std::array<std::size_t, 4>& cell = m_source.vertices(location.cell);
     const std::array<double, 4>& b = location.barycentric_coordinates;
     const auto value = [&](const int i) -> decltype(auto) { return internal::row(values, cell[i]); };
@@ -151,8 +156,12 @@ public:
   }
 
   /// returns the differential of the inverse in a cell, a 3 x 3 matrix; not finite if the image of the cell is flat.
+  /// \pre The cell exists; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   Eigen::Matrix3d inverse_differential(const std::size_t cell) const
-  { return edges(m_source, cell) * edges(m_target, cell).inverse(); }
+  {
+    internal::require(cell < m_source.number_of_cells(), "cell must be the index of a cell.");
+    return edges(m_source, cell) * edges(m_target, cell).inverse();
+  }
 
   /// \name Ranges
   /// Queries for each point of a range, as for `CGAL::stretch_minimizing_volume_parameterization()`. With

@@ -143,6 +143,7 @@ Handles to cells around inserted vertices become invalid, handles to vertices re
     \cgalParamDescription{a limit for the running time in seconds; what is left to refine then is left as it is}
     \cgalParamType{`double`}
     \cgalParamDefault{no limit}
+    \cgalParamPrecondition{The value is a number, and not negative.}
   \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{may end the refinement, if it has the function `goes_on()`; it receives no steps}

@@ -108,6 +108,8 @@ public:
     m_tree = Tree(entries); // packs, unlike insertion
   }
 
+  std::size_t number_of_points() const { return m_points.size(); }
+  std::size_t number_of_cells() const { return m_cells.size(); }
   const std::array<std::size_t, 4>& vertices(const std::size_t cell) const { return m_cells[cell]; }
   const Exact_point_3& corner(const std::size_t cell, const std::size_t i) const { return m_points[m_cells[cell][i]]; }
 

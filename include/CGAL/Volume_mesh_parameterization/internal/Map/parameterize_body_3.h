@@ -119,6 +119,10 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
           "weight of soft_boundary_parameters must be positive and finite.");
   require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),
           "weight_factor of soft_boundary_parameters must be finite and larger than 1.");
+  for(const double tolerance : { options.soft.residual_tolerance, options.soft.energy_tolerance,
+                                 options.soft.relative_energy_tolerance, options.soft.step_tolerance,
+                                 options.soft.gradient_tolerance })
+    require(tolerance >= 0, "The tolerances of soft_boundary_parameters must not be negative.");
 
   const Cell_energy_3& cell_energy = cell_energy_3(energy);
   Linear_solver_of<std::remove_reference_t<Solver> > linear_solver(solver);

@@ -18,7 +18,6 @@
 
 #include <CGAL/Real_timer.h>
 
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -111,7 +110,7 @@ public:
   explicit Limits(const NamedParameters& np)
     : m_visitor(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::visitor), m_default)),
       m_seconds(parameter_or(np, internal_np::maximum_running_time, (std::numeric_limits<double>::infinity)()))
-  { require(!std::isnan(m_seconds), "maximum_running_time must be a number."); }
+  { require(m_seconds >= 0, "maximum_running_time must not be negative."); }
 
   Limits(const Limits&) = delete;
   Limits& operator=(const Limits&) = delete;
