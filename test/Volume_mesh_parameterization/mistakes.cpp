@@ -6,7 +6,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
+#if defined HEXAHEDRA_OF_A_CONTAINER || defined MAP_OF_A_CONTAINER || defined UNKNOWN_PARAMETER_OF_HEXAHEDRA \
+  || defined ENGINE_OF_ONE_PACKAGE
 #  include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #elif defined SOLVER_OF_EIGEN
 #  include <CGAL/Eigen_solver_traits.h>

@@ -18,5 +18,6 @@
 // CGAL generates the header of this name for its packages; outside of CGAL there is only the GPL to choose.
 #include <CGAL/config.h>
 #include <CGAL/license.h>
+#include <CGAL/license/Volume_mesh_parameterization.h>
 
 #endif // CGAL_LICENSE_POLYCUBE_MESHING_3_H

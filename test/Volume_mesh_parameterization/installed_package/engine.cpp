@@ -7,6 +7,7 @@
 #endif
 
 Points images_by_engine() { return images_of_grid(); }
+const void* address_of_engine() { return address_of_code(); }
 
 // Solves sparse systems.
 bool has_polycube_by_engine()

@@ -11,6 +11,9 @@ using Cells = std::vector<std::array<int, 4> >;
 
 int number_of_iterations(); // of the unit that knows only CGAL
 
+// Returns the address of an object that the code of the map defines once.
+static const void* address_of_code() { return &CGAL::Volume_mesh_parameterization::internal::single_process(); }
+
 static void make_grid(Points& points, Cells& cells)
 {
   const int n = 4;

@@ -14,6 +14,9 @@
 
 // CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE, a macro that the target CGAL::Polycube_meshing_3_engine defines, means the same for
 // this package as CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE for the other one.
+#if defined(CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE) != defined(CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE)
+#  error "A unit links the engines of both packages, or none: link CGAL::Polycube_meshing_3_engine."
+#endif
 #ifdef CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE
 #  define CGAL_POLYCUBE_MESHING_3_INLINE
 #else
