@@ -19,6 +19,9 @@ if(${PROJECT_NAME}_ENGINE)
   target_link_libraries(${_package}_engine PUBLIC CGAL::Volume_mesh_parameterization_engine)
 endif()
 
+if(NOT ${PROJECT_NAME}_INSTALL)
+  return()
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/ DESTINATION ${_include_dir} FILES_MATCHING
   REGEX "Polycube_meshing_3(/.*)?\\.h$" PATTERN "Volume_mesh_parameterization" EXCLUDE PATTERN "STL_Extension" EXCLUDE)
 install(TARGETS ${_package} EXPORT ${_package}Targets)
