@@ -21,7 +21,8 @@ Without a configuration, all of these, but for the sanitizers and the coverage:
   cgal         the CGAL installed in the folder given by --cgal
   eigen        the Eigen installed in the folder given by --eigen, and that CGAL
   headers      each header compiled alone by g++ and clang++; no test is run
-  optimized    matrices of three columns by g++ and clang++, with -O2 and -O3 and the instructions of this machine
+  optimized    matrices of three columns, and random maps by one thread and by several, by g++ and clang++, with -O2 and -O3 and
+               the instructions of this machine
   libc++       the core, with clang++ and its library
   no_gmp       the core, with numbers of Boost in place of those of GMP
   arm64        the core, cross-compiled without GMP, and run by qemu
@@ -117,19 +118,29 @@ check_headers_with_cgal()
   done
 }
 
-# Other configurations optimize less, and so do not see what compilers make of products of small matrices.
+# Other configurations optimize less, and so do not see what compilers make of products of small matrices, and of one arithmetic
+# for one thread and for many. The latter is tested with the engine, in a unit with fewer optimizations, and header-only.
 test_optimized()
 {
   local test="$root/test/Volume_mesh_parameterization" compiler level
-  mkdir -p "$folder/optimized"
   for compiler in g++ clang++; do
     for level in -O2 -O3; do
-      "$compiler" -std=c++17 "$level" -march=native -DNDEBUG -frounding-math -I "$root/include" -I "$test" \
-        -isystem /usr/include/eigen3 "$test/internal/test_dynamic_matrix.cpp" "$test/catch_main.cpp" \
-        -o "$folder/optimized/test_dynamic_matrix" && "$folder/optimized/test_dynamic_matrix" || return 1
+      local build="$folder/optimized/$compiler$level"
+      local compile=("$compiler" -std=c++17 -march=native -DNDEBUG -DCGAL_EIGEN3_ENABLED -DCGAL_LINKED_WITH_TBB -frounding-math
+        -I "$root/include" -I "$test" -isystem /usr/include/eigen3)
+      cmake -S "$root" -B "$build" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS_RELEASE="$level -DNDEBUG" \
+          -DCHOLMOD_LIBRARY=OFF &&
+        cmake --build "$build" --target CGAL_Volume_mesh_parameterization_engine &&
+        "${compile[@]}" -O1 -DCGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE "$test/fuzz_conditions.cpp" \
+          -L "$build" -lCGAL_Volume_mesh_parameterization_engine -ltbb -lmpfr -lgmp -o "$build/fuzz_conditions" &&
+        "$build/fuzz_conditions" 1000 &&
+        "${compile[@]}" "$level" "$test/fuzz_conditions.cpp" -ltbb -lmpfr -lgmp -o "$build/fuzz_header_only" &&
+        "$build/fuzz_header_only" 1000 &&
+        "${compile[@]}" "$level" "$test/internal/test_dynamic_matrix.cpp" "$test/catch_main.cpp" -o "$build/test_dynamic_matrix" &&
+        "$build/test_dynamic_matrix" || return 1
     done
   done
-  echo "100% tests passed, 0 tests failed out of 4"
+  echo "100% tests passed, 0 tests failed out of 12"
 }
 
 # Each reader is a name of one program, and reads files in memory. Its seeds, and what it finds, stay in FOLDER/fuzz.

@@ -2,9 +2,9 @@
 // what they promise for any input. Meant to be run with sanitizers.
 //
 // Usage: fuzz_parameterization [NUMBER_OF_INPUTS [SEED]]
-// Input i is made from the seed SEED + i only, so a failure can be repeated by itself.
 #include "complex_checks.h"
 #include "fuzz_inputs.h"
+#include "fuzz_loop.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
@@ -34,19 +34,14 @@
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #endif
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <ctime>
 #include <functional>
 #include <iostream>
 #include <limits>
-#include <map>
 #include <sstream>
-#include <stdexcept>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -100,12 +95,6 @@ struct Is_constrained_map
 
   friend bool get(const Is_constrained_map& map, const Vertex_handle v) { return map.vertices->count(v) > 0; }
 };
-
-void expect(const bool condition, const char* promise)
-{
-  if(!condition)
-    throw std::logic_error(std::string("broken promise: ") + promise);
-}
 
 const std::vector<VMP::Any_energy_3>& energies()
 {
@@ -335,40 +324,7 @@ std::string run_input(const std::uint64_t seed)
   }
 }
 
-std::uint64_t current_seed;
-
-// A sanitizer, an assertion, or a computation without end.
-void report_signal(const int signal)
-{
-  std::cerr << "seed " << current_seed << ": signal " << signal << std::endl;
-  std::_Exit(1);
-}
-
 extern "C" const char* __asan_default_options() { return "abort_on_error=1"; }
 extern "C" const char* __ubsan_default_options() { return "abort_on_error=1:print_stacktrace=1"; }
 
-int main(int argc, char* argv[])
-{
-  const std::uint64_t number_of_inputs = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 200;
-  const std::uint64_t first_seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 0;
-  std::signal(SIGABRT, report_signal);
-  std::signal(SIGALRM, report_signal);
-
-  std::size_t number_of_failures = 0;
-  std::map<std::string, std::size_t> endings;
-  for(current_seed = first_seed; current_seed < first_seed + number_of_inputs; ++current_seed)
-    try
-    {
-      alarm(300);
-      ++endings[run_input(current_seed)];
-    }
-    catch(const std::exception& error)
-    {
-      ++number_of_failures;
-      std::cerr << "seed " << current_seed << ": " << error.what() << std::endl;
-    }
-  for(const auto& [ending, number] : endings)
-    std::cout << number << " times: " << ending << "\n";
-  std::cout << number_of_failures << " failures" << std::endl;
-  return number_of_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
-}
+int main(int argc, char* argv[]) { return run_inputs(argc, argv, run_input); }

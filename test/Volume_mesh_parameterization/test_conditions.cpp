@@ -631,36 +631,6 @@ TEST_CASE("Normals may be as long and as short as numbers can be")
   }
 }
 
-TEST_CASE("Random conditions give maps that meet them, or a sentence")
-{
-  std::size_t number_of_maps = 0;
-  for(std::uint64_t seed = 0; seed < 60; ++seed)
-  {
-    CAPTURE(seed);
-    Random random(seed);
-    Problem problem(random.one_in(2) ? fan(3 + random.below(5), random.one_in(2))
-                                     : source_soup(cube_mesh(1 + static_cast<int>(random.below(4)), 0.1)));
-    const double noise = random.pick({ 0., 0.05, 0.3, 1. }), share = random.pick({ 0.1, 0.4, 1. });
-    for(std::size_t v = 0; v < problem.conditions.size(); ++v)
-    {
-      const Vector3d d = random.one_in(3) ? random.vector(1) : Vector3d(Vector3d::Unit(static_cast<int>(random.below(3))));
-      problem.targets[v] = point(vector(problem.soup.points[v]) + random.vector(noise));
-      if(std::abs(random.real(1)) < share)
-        problem.conditions[v] = random.pick({ Condition(), Condition::at_target(), Condition::in_plane(d[0], d[1], d[2]),
-                                              Condition::on_line(d[0], d[1], d[2]) });
-    }
-    const VMP::Parameterization_result result = problem.run(random.one_in(2));
-    CHECK(!result.message.empty());
-    if(result.has_valid_map)
-      CHECK(problem.has_positive_cells());
-    CHECK(result.status != VMP::ERROR_INVERTED_SOURCE_CELL);
-    if(result.status == VMP::OK)
-      CHECK((problem.meets_conditions() && result.has_valid_map));
-    number_of_maps += result.status == VMP::OK;
-  }
-  CHECK(number_of_maps > 30);
-}
-
 } } // namespace
 
 // The Hessian is singular at the minimum, and the gradient nothing but rounding.
