@@ -55,7 +55,7 @@ public:
     {
       VMP::IO::Output_file file(m_name);
       if(extension() == ".vtu")
-        VMP::IO::write_VTU(file.stream(), mesh);
+        VMP::IO::write_VTU(file.stream(), mesh, source.group_names);
       else if(extension() == ".inp")
         VMP::IO::write_INP(file.stream(), mesh, "C3D8", source.group_names);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH

@@ -2,8 +2,10 @@
 #define NOTES_ON_HEXAHEDRA_H
 
 #include "Command_line.h"
+#include "Hexahedra_file.h"
 #include "Progress_line.h"
 
+#include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
@@ -42,6 +44,17 @@ inline void note_on_hexahedra(const Options& options, const CGAL::Volume_mesh_pa
     std::cerr << "note: " << options.source << ": the polycube has " << growth << " times the volume of the body, because its "
                  "faces are at least one spacing apart. The number of hexahedra grows by this factor."
               << std::endl;
+}
+
+// Notes each name of a group that the format of Abaqus cannot hold: the old one, and the new one.
+inline void note_changed_names(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
+{
+  const std::string filename = Hexahedra_file(options.hexahedra).name();
+  if(options.is_quiet || extension_of(filename) != ".inp")
+    return;
+  for(const auto& [group, name] : CGAL::Volume_mesh_parameterization::IO::names_in_INP(mesh.group_names))
+    if(const std::string& old_name = mesh.group_names.at(group); group.first >= 2 && name != old_name)
+      std::cerr << "note: " << filename << ": the group '" << old_name << "' has the name " << name << std::endl;
 }
 
 #endif // NOTES_ON_HEXAHEDRA_H

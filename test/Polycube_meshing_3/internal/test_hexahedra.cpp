@@ -1215,6 +1215,29 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   CHECK(named.at("*SURFACE, TYPE=ELEMENT, NAME=GROUP_2nd_face") == named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_5"));
   CHECK(named.size() == sections.size() + 6); // these, and two of SURFACE_5
 
+  // names that are possible stay, those of the package give way, and equal names are one group
+  marked.facet_references[1] = 6;
+  marked.facet_references[2] = 7;
+  const std::map<std::pair<int, int>, std::string> groups = { { { 2, 5 }, "FACE_1" }, { { 2, 6 }, "a b" }, { { 2, 7 }, "FACE_1" },
+    { { 2, 8 }, "a-b" }, { { 2, 9 }, "a_b" }, { { 2, 10 }, "Gr\u00f6\u00dfe" }, { { 2, 11 }, "" }, { { 2, 12 }, "nall" },
+    { { 2, 13 }, "A_B" }, { { 2, 14 }, std::string(90, 'x') }, { { 2, 15 }, std::string(91, 'x') }, { { 3, 0 }, "a_b" } };
+  CHECK(VMP::IO::names_in_INP(groups) == std::map<std::pair<int, int>, std::string>{
+    { { 2, 5 }, "FACE_1" }, { { 2, 6 }, "a_b_2" }, { { 2, 7 }, "FACE_1" }, { { 2, 8 }, "a_b_3" }, { { 2, 9 }, "a_b" },
+    { { 2, 10 }, "Gr__e" }, { { 2, 11 }, "GROUP_" }, { { 2, 12 }, "nall_2" }, { { 2, 13 }, "A_B_4" },
+    { { 2, 14 }, std::string(80, 'x') }, { { 2, 15 }, std::string(70, 'x') + "_2" }, { { 3, 0 }, "a_b" } });
+  std::ostringstream with_faces;
+  VMP::IO::write_INP(with_faces, marked, "C3D8", groups);
+  named = sections_of_inp(with_faces.str());
+  std::vector<std::string> both = named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_5");
+  const std::vector<std::string>& other = named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_7");
+  both.insert(both.end(), other.begin(), other.end());
+  CHECK(named.at("*SURFACE, TYPE=ELEMENT, NAME=FACE_1") == both); // not the face of the polycube
+  CHECK(named.at("*SURFACE, TYPE=ELEMENT, NAME=a_b_2") == named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_6"));
+  CHECK(named.at("*ELSET, ELSET=a_b") == sections.at("*ELSET, ELSET=SUBDOMAIN_0"));
+  std::ostringstream vtu;
+  VMP::IO::write_VTU(vtu, marked, groups);
+  CHECK(vtu.str().find("Name=\"a b\"") != std::string::npos);
+
   const std::vector<std::string>& nodes = sections.at("*NODE, NSET=NALL");
   REQUIRE(nodes.size() == 4 * mesh.points.size());
   for(std::size_t i = 0; i < nodes.size(); ++i)

@@ -39,26 +39,26 @@ inline std::string INP_number(const double number)
   return std::string(digits, end.ptr);
 }
 
-// The name of a group as Abaqus and CalculiX take it: letters, digits and underscores, of which the first is a letter, and other
-// than the names in capitals, as the case of letters does not count. It joins these.
-inline std::string INP_name(std::string name, std::set<std::string>& names_in_capitals)
+inline std::string in_capitals(std::string name)
+{
+  for(char& c : name)
+    c = 'a' <= c && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  return name;
+}
+
+// Returns a name with letters, digits and underscores only, of which the first is a letter, as Abaqus and CalculiX take it.
+inline std::string INP_name(const std::string& name)
 {
   const auto is_in = [](const char c, const char first, const char last) { return first <= c && c <= last; };
-  for(char& c : name)
-    c = is_in(c, 'a', 'z') || is_in(c, 'A', 'Z') || is_in(c, '0', '9') ? c : '_';
-  if(name.empty() || name[0] == '_' || is_in(name[0], '0', '9'))
-    name = "GROUP_" + name;
-  name.resize((std::min)(name.size(), std::size_t(70))); // of 80 that both programs allow
-  const auto in_capitals = [&](std::string result)
-  {
-    for(char& c : result)
-      c = is_in(c, 'a', 'z') ? static_cast<char>(c - 'a' + 'A') : c;
-    return result;
-  };
-  const std::string begin = name;
-  for(int i = 2; !names_in_capitals.insert(in_capitals(name)).second; ++i)
-    name = begin + "_" + std::to_string(i);
-  return name;
+  std::string result;
+  for(const char c : name)
+    if(is_in(c, 'a', 'z') || is_in(c, 'A', 'Z') || is_in(c, '0', '9'))
+      result += c;
+    else if((static_cast<unsigned char>(c) & 0xC0) != 0x80) // one underscore for each character of UTF-8
+      result += '_';
+  if(result.empty() || result[0] == '_' || is_in(result[0], '0', '9'))
+    result = "GROUP_" + result;
+  return result.substr(0, 80); // as many as both programs allow
 }
 
 // Numbers from 1, at most 16 a line.
@@ -116,15 +116,18 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 /// vectors `uvw`, their images. The cells have the values `scaled_jacobian` (as in `Hexahedral_mesh_result`), `block`,
 /// `grid_index` (the indices (i, j, k) in the block) and `subdomain`. A quadrangle has the values of its hexahedron. The values
 /// `face` and `surface` are the face of the polycube and the reference of a quadrangle, and 0 for hexahedra. If there are
-/// interfaces, `interface` has the two subdomains of a quadrangle there, and 0 and 0 for all other cells.
+/// interfaces, `interface` has the two subdomains of a quadrangle there, and 0 and 0 for all other cells. Names of groups are
+/// arrays of the section `FieldData`, for `subdomain` and `surface`.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
+/// \param names the names of groups, as `Tetrahedron_soup_3::group_names` has them
 ///
 /// \return whether the stream has taken everything
 ///
 /// \exception Input_error names the arrays that do not fit together.
-inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
+inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh,
+                      const std::map<std::pair<int, int>, std::string>& names = {})
 {
   internal::check_hexahedra(mesh);
   const std::size_t number_of_hexahedra = mesh.cells.size(), end_of_boundary = number_of_hexahedra + mesh.facets.size();
@@ -143,6 +146,7 @@ inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh)
 
   internal::VTU_writer writer(mesh.points, internal::VTU_cells<8>{ mesh.cells, 12 }, internal::VTU_cells<4>{ mesh.facets, 9 },
                               internal::VTU_cells<4>{ mesh.interface_facets, 9 });
+  writer.add_names(names);
   writer.begin("PointData");
   writer.add_points("uvw", mesh.images);
   writer.end("PointData");
@@ -180,10 +184,43 @@ inline bool write_MEDIT(const std::string& filename, const Hexahedron_soup_3& me
 ///
 /// \param filename the name of the file
 /// \param mesh the hexahedra
+/// \param names the names of groups
 ///
 /// \return whether the file is complete
-inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh)
-{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_VTU(os, mesh); }); }
+inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh,
+                      const std::map<std::pair<int, int>, std::string>& names = {})
+{ return internal::write_file(filename, [&](std::ostream& os) { IO::write_VTU(os, mesh, names); }); }
+
+/// \ingroup PkgPolycubeMeshing3Hexahedra
+///
+/// returns the names that `write_INP()` gives to groups. Abaqus and CalculiX take up to 80 letters, digits and underscores. The
+/// first is a letter, and capitals do not matter. A name that is possible stays. In others, other characters become `_`, and a
+/// number follows if another group of the same dimension has the result, or the set `NALL` or `EALL`. Groups of one dimension with
+/// equal names stay together.
+///
+/// \param group_names the names of groups, by their dimension and reference, as in `Tetrahedron_soup_3`
+inline std::map<std::pair<int, int>, std::string> names_in_INP(const std::map<std::pair<int, int>, std::string>& group_names)
+{
+  std::map<std::pair<int, std::string>, std::string> new_names; // by dimension and name
+  std::map<int, std::set<std::string> > taken;                  // by dimension
+  const auto take = [&](const int dimension, const std::string& name, const std::string& new_name)
+  {
+    taken[dimension].insert({ "NALL", "EALL" });
+    if(taken[dimension].insert(internal::in_capitals(new_name)).second)
+      new_names[{ dimension, name }] = new_name;
+  };
+  for(const auto& [group, name] : group_names)
+    if(internal::INP_name(name) == name && new_names.count({ group.first, name }) == 0)
+      take(group.first, name, name);
+  for(const auto& [group, name] : group_names)
+    for(int i = 1; new_names.count({ group.first, name }) == 0; ++i)
+      take(group.first, name, i == 1 ? internal::INP_name(name)
+                                     : internal::INP_name(name).substr(0, 70) + "_" + std::to_string(i));
+  std::map<std::pair<int, int>, std::string> result;
+  for(const auto& [group, name] : group_names)
+    result[group] = new_names.at({ group.first, name });
+  return result;
+}
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
@@ -193,7 +230,8 @@ inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh
 /// likewise have `FACE_1`, `FACE_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
 /// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The node set
 /// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
-/// quadrangles has a name, there is also a set of this name. Characters other than letters and digits become `_`.
+/// quadrangles has a name, there is also a set of the name that `names_in_INP()` returns. It stands in the place of one of these
+/// sets of the same name.
 ///
 /// These programs read at most 20 characters of a number. Coordinates have up to 17 digits, which restore them. If a number has
 /// no room for 17 digits, as with a negative exponent, it has at least 13.
@@ -234,9 +272,16 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
     writer << "\n";
     subdomains[mesh.cell_references[c]].push_back(c);
   }
-  std::set<std::string> names = { "NALL", "EALL" };
+  std::map<std::pair<int, std::string>, std::vector<int> > groups; // references, by dimension and name
+  std::set<std::pair<int, std::string> > taken;
+  for(const auto& [group, name] : names_in_INP(group_names))
+  {
+    groups[{ group.first, name }].push_back(group.second);
+    taken.insert({ group.first, internal::in_capitals(name) });
+  }
   for(const auto& [reference, cells] : subdomains)
-    internal::write_INP_set(writer, "*ELSET, ELSET=" + *names.insert("SUBDOMAIN_" + std::to_string(reference)).first, cells);
+    if(const std::string name = "SUBDOMAIN_" + std::to_string(reference); taken.count({ 3, name }) == 0)
+      internal::write_INP_set(writer, "*ELSET, ELSET=" + name, cells);
 
   std::map<std::string, std::vector<internal::Quadrangle_of_hexahedron> > parts;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -268,14 +313,26 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
       writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
   };
   for(const auto& [name, quadrangles] : parts)
-    write_part(*names.insert(name).first, quadrangles);
-  for(const auto& [group, name] : group_names)
+    if(taken.count({ 2, name }) == 0)
+      write_part(name, quadrangles);
+  for(const auto& [dimension_and_name, references] : groups)
   {
-    const auto [dimension, reference] = group;
-    if(const auto cells = subdomains.find(reference); dimension == 3 && cells != subdomains.end())
-      internal::write_INP_set(writer, "*ELSET, ELSET=" + internal::INP_name(name, names), cells->second);
-    if(const auto part = parts.find("SURFACE_" + std::to_string(reference)); dimension == 2 && part != parts.end())
-      write_part(internal::INP_name(name, names), part->second);
+    const auto& [dimension, name] = dimension_and_name;
+    std::vector<std::size_t> cells;
+    std::vector<internal::Quadrangle_of_hexahedron> quadrangles;
+    for(const int reference : references)
+    {
+      const auto of_reference = subdomains.find(reference);
+      if(dimension == 3 && of_reference != subdomains.end())
+        cells.insert(cells.end(), of_reference->second.begin(), of_reference->second.end());
+      const auto part = parts.find("SURFACE_" + std::to_string(reference));
+      if(dimension == 2 && part != parts.end())
+        quadrangles.insert(quadrangles.end(), part->second.begin(), part->second.end());
+    }
+    if(!cells.empty())
+      internal::write_INP_set(writer, "*ELSET, ELSET=" + name, cells);
+    if(!quadrangles.empty())
+      write_part(name, quadrangles);
   }
   return writer.finish();
 }
