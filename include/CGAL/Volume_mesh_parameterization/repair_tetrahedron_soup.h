@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
@@ -211,6 +212,61 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
         + (number_of_references == 2 ? "'" : "' to '" + internal::name_of_reference(number_of_references) + "'")
         + ", which files *.vtu and *.msh contain"));
   return first;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// removes marks that contradict the shape of the boundary nearly everywhere, and adds a note to the soup. TetGen makes such
+/// marks: it marks all points of its input as corners, and all edges between facets that are not in one plane.
+///
+/// A vertex is no corner of the shape if the normals on both sides make more than 60 degrees at none or two of its edges. If more
+/// than half of the vertices of the boundary are marked as corners, but are none, all marks of corners go. If more than half of
+/// the vertices with marked edges have three or more of these, but are no corners, all marks of edges go.
+///
+/// \param soup the mesh, whose cells are all positive or all negative
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+inline void remove_false_marks(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  if(soup.corners.empty() && soup.edges.empty())
+    return;
+  const std::vector<std::array<std::size_t, 3> > facets = internal::boundary_facets_3(soup.cells);
+  const auto numbers_of_edges = [&](const std::vector<std::array<std::size_t, 2> >& marked)
+  {
+    std::map<std::size_t, std::size_t> result;
+    for(const std::array<std::size_t, 2>& edge : internal::sharp_edges_3(facets, marked, [&](const std::size_t v)
+                                                                          { return internal::to_vector(soup.points[v]); }))
+      for(const std::size_t v : edge)
+        ++result[v];
+    return result;
+  };
+  const std::map<std::size_t, std::size_t> sharp = numbers_of_edges({}), marked = numbers_of_edges(soup.edges);
+  const auto is_no_corner = [&](const std::size_t v) { return sharp.count(v) == 0 || sharp.at(v) == 2; };
+  std::set<std::size_t> boundary;
+  for(const std::array<std::size_t, 3>& facet : facets)
+    boundary.insert(facet.begin(), facet.end());
+  const auto note = [&](const std::size_t number, const char* const marks, const char* const of_all)
+  {
+    soup.notes.push_back(std::to_string(number) + of_all + " at places where the boundary has no corner. The marks of " + marks
+                         + " are left out; TetGen makes such marks");
+  };
+  const auto number_of_corners = std::count_if(soup.corners.begin(), soup.corners.end(), [&](const std::size_t v)
+                                               { return boundary.count(v) != 0 && is_no_corner(v); });
+  if(2 * static_cast<std::size_t>(number_of_corners) > boundary.size())
+  {
+    note(static_cast<std::size_t>(number_of_corners), "corners", " vertices are marked as corners");
+    soup.corners.clear();
+  }
+  const auto number_of_ends = std::count_if(marked.begin(), marked.end(), [&](const auto& vertex)
+                                            { return vertex.second >= 3 && is_no_corner(vertex.first); });
+  if(2 * static_cast<std::size_t>(number_of_ends) > marked.size())
+  {
+    note(static_cast<std::size_t>(number_of_ends), "edges", " vertices are ends of three or more marked edges");
+    soup.edges.clear();
+    soup.edge_references.clear();
+    soup.edge_data.clear();
+  }
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
