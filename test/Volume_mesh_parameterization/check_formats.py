@@ -33,6 +33,14 @@ Mesh.MeshSizeFactor = 4;
 """
 
 
+SOLIDS = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 3, 3, 1};
+Box(2) = {0, 0, 1, 3, 3, 1};
+Cylinder(3) = {1.5, 1.5, 0, 0, 0, 1, 0.5};
+Cylinder(4) = {1.5, 1.5, 0, 0, 0, 1, 0.5};
+BooleanDifference{ Volume{1}; Delete; }{ Volume{3}; Delete; }
+"""
 INCLUSION = """
 SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 1, 1, 1};
@@ -237,7 +245,8 @@ def triangles_of_references(file):
 def advice(sentence, before, name):
     """The commands that a sentence tells behind some words, with FILE replaced."""
     words = sentence.strip().split(before)[1].replace("FILE", Path(name).stem)
-    return [command.split(" writes ")[0].split() for command in words.split(", and then ")]
+    commands = [shlex.split(command.split(" writes ")[0]) for command in words.split(", and then ")]
+    return [[sys.executable if word == "python3" else word for word in command] for command in commands]
 
 
 def commands_for_surface(sentence, name):
@@ -249,8 +258,8 @@ def commands_for_surface(sentence, name):
     return [[*converter, name, "surface.mesh"] for converter in converters] + [[*mesher, "surface.mesh"]]
 
 
-def check_tetgen(driver, folder):
-    """A surface is refused with the command of a mesher, whose mesh keeps its references."""
+def check_tetgen(driver, folder, has_gmsh):
+    """A surface is refused with the command of a mesher, whose mesh keeps its references. Gmsh fills some formats."""
     points = numpy.array([[x, y, z] for x in (0., 1.) for y in (0., 1.) for z in (0., 1.)])
     quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     triangles = [[q[0], *q[i:i + 2]] for q in quads for i in (1, 2)]
@@ -261,6 +270,11 @@ def check_tetgen(driver, folder):
     meshio.write(folder / "surface.obj", meshio.Mesh(points, [("triangle", triangles)]))
     meshio.write(folder / "surface.stl", meshio.Mesh(points, [("triangle", triangles)]))
     for name in ("surface.mesh", "surface.off", "surface.obj", "surface.stl", "surface.vtu"):
+        if has_gmsh and name[-3:] in ("off", "obj", "stl"):
+            run(driver, name, "--cells", "0.3", "--to", "cube", "-o", "cube.mesh", "--tetrahedra", "filled.mesh", folder=folder)
+            volumes = areas_of_groups(meshio.read(folder / "filled.mesh"), "medit:ref")
+            assert list(volumes) == [("tetra", 0)] and abs(volumes["tetra", 0] - 1) < 1e-6, volumes
+            continue
         sentence = refused(driver, name, "--to", "ball", folder=folder)
         assert "surface" in sentence and "volume mesher fills it" in sentence
         for command in commands_for_surface(sentence, name):
@@ -268,6 +282,71 @@ def check_tetgen(driver, folder):
         run(driver, "surface.1.mesh", "--to", "ball", "--refine", "-o", "ball.mesh", folder=folder)
         assert triangles_of_references(folder / "ball.mesh") == triangles_of_references(folder / "surface.1.mesh")
         (folder / "surface.1.mesh").unlink()
+
+
+def check_solids(driver, folder):
+    """From solids of CAD that touch to hexahedra in one command, as by commands of Gmsh in a program without it."""
+    (folder / "touching.geo").write_text(SOLIDS)
+    for extension in ("step", "brep"):
+        name = f"solids.{extension}"
+        run("gmsh", "-0", "touching.geo", "-o", name, folder=folder)
+        run(driver, name, "--cells", "0.5", "--to", "polycube", "--hexahedra", "0.5", "hexahedra.msh", "--tetrahedra", "solids.mesh",
+            folder=folder)
+        mesh = meshio.read(folder / "solids.mesh")
+        kinds = {kind: len(set(references.tolist())) for kind, references in mesh.cell_data_dict["medit:ref"].items()}
+        # faces: four sides of each box, three rings or discs at three heights less one, and the side of the cylinder
+        assert kinds["tetra"] == 3 and kinds["triangle"] == 14, kinds
+        cells = numpy.sort(mesh.cells_dict["tetra"], axis=1)
+        sides = Counter(map(tuple, numpy.concatenate([numpy.delete(cells, i, axis=1) for i in range(4)])))
+        on_boundary = {v for side, number in sides.items() if number == 1 for v in side}
+        assert len(numpy.unique(mesh.points[sorted(on_boundary)].round(9), axis=0)) == len(on_boundary), "solids are torn"
+        lines = mesh.points[mesh.cells_dict["line"]]
+        is_seam = (abs(numpy.linalg.norm(lines[:, :, :2] - [1.5, 1.5], axis=2) - 0.5) < 1e-6).all(axis=1)
+        assert not (is_seam & (lines[:, 0, 2] != lines[:, 1, 2])).any(), "a seam of a cylinder is an edge"
+        hexahedra = meshio.read(folder / "hexahedra.msh").cell_data_dict["gmsh:physical"]["hexahedron"]
+        assert len(set(hexahedra.tolist())) == 3 and len(hexahedra) >= 6 * 6 * 4
+
+
+def check_advice_for_solids(driver, folder):
+    """A program without Gmsh tells what fills solids."""
+    (folder / "touching.geo").write_text(SOLIDS)
+    run("gmsh", "-0", "touching.geo", "-o", "solids.step", folder=folder)
+    sentence = refused(driver, "solids.step", "--to", "ball", folder=folder)
+    run(*sentence.split("built without Gmsh: ")[1].split(" fills it")[0].split(), folder=folder)
+    assert len(meshio.read(folder / "solids.mesh").cells_dict["tetra"]) > 0
+
+
+def check_content(driver, folder):
+    """What the content of files tells: each advised command makes a mesh with the same cells and subdomains."""
+    points = numpy.array([[0., 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    mesh = meshio.Mesh(points, [("tetra", numpy.array([[0, 1, 2, 3]])), ("tetra", numpy.array([[1, 4, 2, 3]]))])
+
+    def check_command(name, number_of_subdomains):
+        sentence = refused(driver, name, "--to", "ball", folder=folder)
+        command, = advice(sentence, "can be converted: ", name)
+        run(*command, folder=folder)
+        target = shlex.split(sentence)[-1]
+        assert "2 cells" in run(driver, target, "--to", "ball", "-o", "ball.mesh", folder=folder).stdout, sentence
+        references = meshio.read(folder / "ball.mesh").cell_data_dict["medit:ref"]["tetra"]
+        assert len(set(references.tolist())) == number_of_subdomains, sentence
+
+    meshio.write(folder / "of abaqus.msh", mesh, file_format="abaqus")
+    (folder / "of abaqus.msh").write_text((folder / "of abaqus.msh").read_text().replace("*Heading", "*HEADING"))
+    check_command("of abaqus.msh", 1)
+    materials = meshio.Mesh(points, [("tetra", numpy.array([[0, 1, 2, 3], [1, 4, 2, 3]]))],
+                            cell_data={"avsucd:material": [numpy.array([1, 2])]})
+    meshio.write(folder / "ucd.inp", materials, file_format="avsucd")
+    check_command("ucd.inp", 2)
+    try:
+        meshio.write(folder / "blocks.e", mesh)
+        check_command("blocks.e", 2)
+    except ModuleNotFoundError:
+        pass
+    middles = [(points[i] + points[j]) / 2 for cell in ((0, 1, 2, 3), (1, 4, 2, 3)) for i, j in
+               ((cell[2], cell[3]), (cell[0], cell[1]), (cell[1], cell[2]), (cell[0], cell[2]), (cell[1], cell[3]), (cell[0], cell[3]))]
+    (folder / "second.1.node").write_text("17 3 0 0\n" + "".join("%d %g %g %g\n" % (i, *p) for i, p in enumerate([*points, *middles])))
+    (folder / "second.1.ele").write_text("2 10 0\n0 0 1 2 3 5 6 7 8 9 10\n1 1 4 2 3 11 12 13 14 15 16\n")
+    check_command("second.1.ele", 1)
 
 
 def check_abaqus(driver, folder):
@@ -310,6 +389,31 @@ def check_meshio(driver, folder):
         assert "meshio convert" not in refused(driver, f"cells.{extension}", "--to", "ball", folder=folder)
 
 
+FLUENT = """(0 "Fluent")
+(2 3)
+(10 (0 1 5 0 3))
+(10 (1 1 5 1 3)(
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+1 1 1
+))
+(12 (0 1 2 0))
+(12 (2 1 2 1 2))
+(13 (0 1 7 0))
+(13 (3 1 1 2 3)(
+2 3 4 1 2
+))
+(13 (4 2 7 3 3)(
+1 2 3 1 0
+1 4 2 1 0
+1 3 4 1 0
+2 5 3 2 0
+2 4 5 2 0
+3 5 4 2 0
+))
+"""
 PIECE = """<Piece NumberOfPoints="4" NumberOfCells="1"><Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">
 0 0 0 1 0 0 0 1 0 0 0 %d</DataArray></Points><Cells><DataArray type="Int64" Name="connectivity" format="ascii">0 1 2 3</DataArray>
 <DataArray type="Int64" Name="offsets" format="ascii">4</DataArray><DataArray type="UInt8" Name="types" format="ascii">10</DataArray>
@@ -333,6 +437,21 @@ def check_paraview(driver, folder):
         reader.SetFileName(str(folder / "saved.vtu"))
         reader.Write()
         return "saved.vtu"
+
+    (folder / "of fluent.msh").write_text(FLUENT)
+    sentence = refused(driver, "of fluent.msh", "--to", "ball", folder=folder)
+    name = shlex.split(sentence.split("under the name ")[1].split(". Apply")[0])[0]
+    (folder / "of fluent.msh").rename(folder / name)
+    reader = vtk.vtkFLUENTReader()
+    reader.SetFileName(str(folder / name))
+    reader.Update()
+    merged = vtk.vtkAppendFilter()
+    merged.AddInputData(reader.GetOutput().GetBlock(0))
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetInputConnection(merged.GetOutputPort())
+    writer.SetFileName(str(folder / "saved.vtu"))
+    writer.Write()
+    assert "2 cells" in run(driver, "saved.vtu", "--to", "ball", folder=folder).stdout
 
     for i, z in enumerate((1, -1)):
         (folder / f"piece_{i}.vtu").write_text(GRID % ("", "", PIECE % z, ""))
@@ -378,11 +497,14 @@ def main(driver, mesh_labels, options):
             check_nested_groups(driver, folder)
             check_data_of_gmsh(driver, folder)
             check_moved_inclusion(driver, folder)
+            check_solids(driver, folder)
         else:
             check_advice_for_gmsh(driver, folder)
+            check_advice_for_solids(driver, folder)
         check_one_cell(driver, folder)
         check_labeled_image(driver, mesh_labels, folder)
-        check_tetgen(driver, folder)
+        check_tetgen(driver, folder, "--gmsh" in options)
+        check_content(driver, folder)
         check_abaqus(driver, folder)
         check_meshio(driver, folder)
         check_paraview(driver, folder)

@@ -315,8 +315,9 @@ std::vector<std::string> keys(const std::string& json)
 
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
-  "options", "source", "target", "to", "polycube_axes", "improve", "features", "regions", "landmarks", "merge_points",
-  "separate", "displacements", "staircases", "others", "inside", "conditions", "initial", "boundary", "refine", "slide", "energy",
+  "options", "source", "target", "to", "polycube_axes", "improve", "cell_size", "tetrahedra", "features", "regions", "landmarks",
+  "merge_points", "separate", "displacements", "staircases", "others", "inside", "conditions", "initial", "boundary", "refine",
+  "slide", "energy",
   "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "added_boundary_vertices", "sliding_vertices",
@@ -1068,8 +1069,22 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
   CHECK(sentence("mesh.med --to ball").find("; other formats can be converted: meshio convert mesh.med mesh.vtu\n")
         != std::string::npos);
   folder.write("mesh.off", "OFF\n");
-  CHECK(sentence("mesh.off --to ball").find("; this is a surface; a volume mesher fills it: tetgen -pqg mesh.off writes "
-                                            "mesh.1.mesh\n") != std::string::npos);
+  folder.write("mesh.STEP", "ISO-10303-21;\n");
+  if(fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"))
+  {
+    CHECK(sentence("mesh.off --to ball") == "mesh.off: the surface cannot be read\n");
+    CHECK(sentence("mesh.STEP --to ball").find("mesh.STEP: Gmsh says: Could not read file 'mesh.STEP'; save the solids ") == 0);
+  }
+  else
+  {
+    CHECK(sentence("mesh.off --to ball").find("; this is a surface; a volume mesher fills it: tetgen -pqg mesh.off writes "
+                                              "mesh.1.mesh\n") != std::string::npos);
+    CHECK(sentence("mesh.STEP --to ball").find(": gmsh -3 mesh.STEP -o mesh.mesh fills it.") != std::string::npos);
+  }
+  CHECK(folder.run("source.mesh --to ball --cells 1") == 2);
+  CHECK(folder.text("stderr").find("--cells and --tetrahedra need a source that is filled") == 0);
+  CHECK(folder.run("none.step --to ball --cells=-1") == 2);
+  CHECK(folder.text("stderr").find("the size of cells (--cells) must be a finite number") == 0);
   folder.write("mesh.vtu", "<?xml version=\"1.0\"?>\n");
   CHECK(sentence("mesh.vtu --to ball") == "mesh.vtu: this is not a VTK XML file of the type UnstructuredGrid\n");
 
@@ -1101,6 +1116,159 @@ TEST_CASE("Bad input: exit code 2, a sentence and no output")
     return p == Point{2, 0, 0} ? Point{1.2, 0.8, 0} : p;
   }));
   CHECK(sentence("source.mesh bad.txt") != "");
+}
+
+TEST_CASE("The content of files of other programs tells what helps, whatever their names are")
+{
+  const Folder folder;
+  const auto sentence = [&](const std::string& name, const std::string& content)
+  {
+    folder.write(name, content);
+    CHECK(folder.run("'" + name + "' --to ball") == 2);
+    return folder.text("stderr");
+  };
+  const std::string nodes = "*NODE, NSET=Nall\n1,0,0,0\n", no_route = "Neither this program nor meshio reads it";
+  CHECK(sentence("a b.msh", "** of cgx\n\n" + nodes)
+        == "a b.msh: this is a file of Abaqus; it can be converted: meshio convert --input-format abaqus 'a b.msh' 'a b.vtu'\n");
+  CHECK(sentence("mesh.inp", nodes).find("can be converted: meshio convert mesh.inp mesh.vtu\n") != std::string::npos);
+  CHECK(sentence("mesh.inp", "# of AVS\n4 1 0 0 0\n1 0 0 0\n").find(
+    "mesh.inp: this is a file of AVS; it can be converted: meshio convert --input-format avsucd mesh.inp mesh.vtu\n") == 0);
+  CHECK(sentence("mesh.msh", "(0 \"Fluent\")\n(2 3)\n").find("mesh.msh: this is a mesh of Fluent. ParaView reads it under") == 0);
+  CHECK(sentence("mesh.e", "CDF\x02").find("this is a file of Exodus; it can be converted: python3 -c ")
+        != std::string::npos);
+  folder.write("mesh.1.ele", "1 10 0\n0 0 1 2 3 4 5 6 7 8 9\n");
+  for(const char* name : { "mesh.1.ele", "mesh.1.node" })
+    CHECK(sentence(name, name == std::string("mesh.1.ele") ? folder.text(name) : "10 3 0 0\n").find(
+      "of second order; it can be converted: tetgen -rg mesh.1 writes mesh.2.mesh\n") != std::string::npos);
+  CHECK(sentence("mesh.ele", "1 4 0\n0 0 1 2 3\n").find("meshio convert mesh.ele mesh.vtu\n") != std::string::npos);
+  for(const auto& [program, name, content] : { std::array<std::string, 3>{ "LS-DYNA", "mesh.k", "$ text\n*KEYWORD\n*NODE\n" },
+                                               { "Ansys", "mesh.cdb", "/COM,ANSYS\n/PREP7\nNBLOCK,6\n" },
+                                               { "FEBio", "mesh.feb", "<?xml version=\"1.0\"?>\n<febio_spec version=\"4.0\">\n" },
+                                               { "OpenFOAM", "points", "/* */\nFoamFile\n{\n}\n" } })
+    CHECK(sentence(name, content).find(name + ": this is a file of " + program + ". " + no_route) == 0);
+  fs::create_directory(folder.path("polyMesh"));
+  folder.write("polyMesh/faces", "FoamFile");
+  folder.write("polyMesh/owner", "FoamFile");
+  CHECK(folder.run("polyMesh --to ball") == 2);
+  CHECK(folder.text("stderr").find("polyMesh: this is a mesh of OpenFOAM. " + no_route) == 0);
+}
+
+// A script of Gmsh for a beam of two solids that share a face, with the size 1 x 1 x 2.
+const std::string beam_script = "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nBox(2) = {0, 0, 1, 1, 1, 1};\n"
+  "BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }\n";
+
+TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedra")
+{
+  if(!fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"))
+    return;
+  const Folder folder;
+  folder.write("beam.geo", beam_script);
+  CHECK(folder.run("beam.geo --cells 0.5 --to polycube --hexahedra 0.5 beam.inp --tetrahedra beam.mesh") == 0);
+  const Soup beam = folder.soup("beam.mesh");
+  CHECK(std::set<int>(beam.cell_references.begin(), beam.cell_references.end()) == std::set<int>{ 1, 2 });
+  const std::set<int> faces(beam.facet_references.begin(), beam.facet_references.end());
+  CHECK(faces.size() == 11); // one of them between the solids
+  for(const auto& [u, v] : beam.edges) // of curves, on which two coordinates are integers
+    CHECK(std::count_if(beam.points[u].begin(), beam.points[u].end(), [](const double x)
+                        { return std::abs(x - std::round(x)) < 1e-9; }) >= 2);
+  CHECK(beam.edges.size() >= 20);
+  CHECK(folder.text("beam.inp").find("*SURFACE, TYPE=ELEMENT, NAME=INTERFACE_1_2\n") != std::string::npos);
+  CHECK(folder.run("beam.geo --cells 0.15 --to box=1,1,2 --tetrahedra finer.mesh") == 0);
+  CHECK(folder.soup("finer.mesh").cells.size() > 2 * beam.cells.size());
+
+  // a cube with a cavity, and what is wrong with other surfaces
+  const auto write_cubes = [&](const std::string& name, const std::vector<std::array<double, 2> >& cubes,
+                               const std::size_t left_out = 0)
+  {
+    std::ostringstream points, triangles;
+    std::size_t first = 0, number = 0;
+    for(const auto& [origin, size] : cubes)
+    {
+      for(int i = 0; i < 8; ++i)
+        points << origin + size * (i & 1) << " " << origin + size * (i >> 1 & 1) << " " << origin + size * (i >> 2) << "\n";
+      for(const std::array<int, 4>& q : { std::array{ 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+                                          { 1, 3, 7, 5 } })
+        if(number++ >= left_out)
+          triangles << "4 " << first + q[0] << " " << first + q[1] << " " << first + q[2] << " " << first + q[3] << "\n";
+      first += 8;
+    }
+    folder.write(name, "OFF\n" + std::to_string(first) + " " + std::to_string(number - left_out) + " 0\n" + points.str()
+                         + triangles.str());
+  };
+  const auto sentence = [&](const std::vector<std::array<double, 2> >& cubes, const std::size_t left_out = 0)
+  {
+    write_cubes("cubes.off", cubes, left_out);
+    CHECK(folder.run("cubes.off --cells 1 --to ball") == 2);
+    return folder.text("stderr");
+  };
+  write_cubes("cavity.off", { { 0, 3 }, { 1, 1 } });
+  folder.run("cavity.off --cells 1 --to ball --tetrahedra cavity.mesh"); // which is no ball
+  const Soup cavity = folder.soup("cavity.mesh");
+  CHECK(cavity.edges.empty());
+  CHECK(cavity.facets.empty());
+  double sum = 0;
+  for(const std::array<std::size_t, 4>& cell : cavity.cells)
+  {
+    const auto vector = [&](const std::size_t i)
+    {
+      const Point &p = cavity.points[cell[i]], &q = cavity.points[cell[0]];
+      return Point{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+    };
+    const Point a = vector(1), b = vector(2), c = vector(3);
+    sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+  }
+  CHECK(sum == Approx(26));
+  CHECK(sentence({ { 0, 1 } }, 1).find("cubes.off: the surface is not closed, because the edge between the points (") == 0);
+  CHECK(sentence({ { 0, 1 }, { 3, 1 } }).find("; the surface must enclose one body") != std::string::npos);
+  CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("; the surface must enclose one body") != std::string::npos);
+  CHECK(folder.run("none.step --to ball") == 2);
+  CHECK(folder.text("stderr") == "none.step: the file cannot be opened\n");
+  folder.write("flat.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\n");
+  CHECK(folder.run("flat.geo --to ball") == 2);
+  CHECK(folder.text("stderr").find("flat.geo: the file contains no solid") == 0);
+  folder.write("endless.geo", "For i In {0 : 1e9}\nEndFor\n");
+  CHECK(folder.run("endless.geo --to ball --time-limit 0.5") == 3);
+}
+
+TEST_CASE("Marks of corners that contradict the shape everywhere are noted, and do not count")
+{
+  const Folder folder;
+  Soup source = cube(4);
+  const std::vector<std::size_t> boundary = VMP::boundary_vertices(source.points, source.cells);
+  source.corners = boundary;
+  folder.write("source.mesh", source);
+  CHECK(folder.run("source.mesh --to polycube --hexahedra 2 hexahedra.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: source.mesh: 90 vertices are marked as corners at places where the boundary has no "
+                                   "corner. The marks of corners are left out; TetGen makes such marks\n") != std::string::npos);
+  source.corners = { boundary[0], boundary[1] }; // of which one is at an edge of the cube
+  folder.write("source.mesh", source);
+  CHECK(folder.run("source.mesh --to polycube --hexahedra 2 hexahedra.mesh") == 0);
+  CHECK(folder.text("stderr").find("marked as corners at places") == std::string::npos);
+}
+
+TEST_CASE("Names that Abaqus cannot hold are noted, old and new")
+{
+  const Folder folder;
+  Soup source = cube(2);
+  source.facets = { { 0, 1, 4 } };
+  for(const std::array<std::size_t, 4>& cell : source.cells)
+    for(const std::array<std::size_t, 3>& f : { std::array{ cell[1], cell[2], cell[3] }, { cell[0], cell[2], cell[3] },
+                                                { cell[0], cell[1], cell[3] }, { cell[0], cell[1], cell[2] } })
+      if(std::all_of(f.begin(), f.end(), [&](const std::size_t v) { return source.points[v][0] == 0; }))
+        source.facets.push_back(f);
+  source.facets.erase(source.facets.begin());
+  source.facet_references.assign(source.facets.size(), 7);
+  source.group_names = { { { 2, 7 }, "top wall" }, { { 3, source.cell_references[0] }, "steel" } };
+  std::ofstream os(folder.path("source.vtu"), std::ios::binary);
+  VMP::IO::write_VTU(os, source, source.points);
+  os.close();
+  CHECK(folder.run("source.vtu --to polycube --hexahedra 1 hexahedra.inp") == 0);
+  CHECK(folder.text("stderr").find("note: hexahedra.inp: the group 'top wall' has the name top_wall\n") != std::string::npos);
+  CHECK(folder.text("stderr").find("steel") == std::string::npos);
+  CHECK(folder.text("hexahedra.inp").find("NAME=top_wall\n") != std::string::npos);
+  CHECK(folder.run("source.vtu --to polycube --hexahedra 1 hexahedra.vtu") == 0);
+  CHECK(folder.text("stderr").find("top wall") == std::string::npos);
+  CHECK(folder.text("hexahedra.vtu").find("Name=\"top wall\"") != std::string::npos);
 }
 
 // One tetrahedron in formats that Gmsh and VTK read, in which a test replaces numbers.
@@ -1265,7 +1433,10 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(folder.run("source.mesh --refine --to " + example.str(1)) == 0);
 
   CHECK(folder.run("--version") == 0);
-  CHECK(std::regex_match(folder.text("stdout"), std::regex("parameterize_mesh_file [0-9.]+ \\(CGAL .*\\)\n")));
+  CHECK(std::regex_match(folder.text("stdout"), std::regex("parameterize_mesh_file [0-9.]+ \\(CGAL .*\\)\n"
+                                                         "meshes that it reads: .mesh .meshb .vtu.*\n"
+                                                         "bodies that it fills: .*\nmeshes that it writes: .mesh.*\n")));
+  CHECK((folder.text("stdout").find(".step") != std::string::npos) == fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"));
   CHECK(folder.run("--help") == 0);
   for(const std::string part : {"Usage:", "SOURCE.mesh", "TARGET", "--output ] FILE", "--to DOMAIN", "--max-iterations N",
                                 "Exit status:"})
@@ -1280,17 +1451,28 @@ TEST_CASE("The examples of the help run as they are written")
     fs::copy(data / name, folder.path(name));
   REQUIRE(folder.run("--help") == 0);
   std::istringstream help(folder.text("stdout"));
+  CHECK(folder.text("stdout").find("Examples:\n") == 0);
   int number_of_examples = 0;
+  const std::string part = "part.step";
+  Names files = {"cube.mesh", "cube_to_ball.txt", "ball.vtu", "ball.mesh", "source.mesh"};
   const std::string program = "  parameterize_mesh_file ";
   for(std::string line; std::getline(help, line);)
     if(line.find(program) == 0)
     {
       CAPTURE(line);
       ++number_of_examples;
+      if(const std::size_t begin = line.find(part); begin != std::string::npos)
+      {
+        if(!fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so"))
+          continue;
+        folder.write("part.geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 4, 4, 6};\n");
+        line.replace(begin, part.size(), "part.geo"); // another format of a body, which takes a line
+        files.insert({ "part.geo", "part.inp" });
+      }
       CHECK(folder.run(line.substr(program.size())) == 0);
     }
   CHECK(number_of_examples == 3);
-  CHECK(folder.names() == Names{"cube.mesh", "cube_to_ball.txt", "ball.vtu", "ball.mesh", "source.mesh"});
+  CHECK(folder.names() == files);
   CHECK(folder.text("ball.vtu").find("Name=\"uvw\"") != std::string::npos);
   for(const char* name : {"angle_distortion", "volume_distortion"})
     CHECK(folder.text("ball.vtu").find(name) != std::string::npos);
@@ -2341,6 +2523,7 @@ TEST_CASE("The target may be a surface with the triangles of the boundary")
   };
   folder.write("cube.mesh", cube(3));
   CHECK(sentence("cube.mesh in_order.off").find("in_order.off: the surface has ") == 0);
+  CHECK(folder.text("stderr").find("Move the triangles of the source onto the surface") != std::string::npos);
   source = cube(1); // two of its corners are alike
   const auto facets_of_cube = VMP::internal::boundary_facets_3(source.cells);
   std::ostringstream off;
@@ -2534,14 +2717,15 @@ TEST_CASE("Targets are read as ParaView writes them: tables with names of column
           != std::string::npos);
   CHECK(sentence("0,1,5,2,5,3,5\n").find("bad.csv: line 1: there are 7 columns") == 0);
   CHECK(sentence("x,y,z\n0,0,0\n").find("bad.csv: there is no column with the indices of vertices") == 0);
-  for(const std::string triangle : { "f 1 2 99\n", "f 1 2 3 4\n" })
+  for(const std::string triangle : { "f 1 2 99\n", "f 1 2 3 4\n" }) // of a missing vertex, and two triangles for a whole boundary
   {
     folder.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + triangle);
     CHECK(folder.run("source.mesh bad.obj") == 2);
-    CHECK(folder.text("stderr").find("bad.obj: ") == 0);
+    CHECK(folder.text("stderr").find("bad.obj: ") != std::string::npos);
   }
-  CHECK(folder.run("surface.vtp --to ball") == 2);
-  CHECK(folder.text("stderr").find("this is a surface; a volume mesher fills it") != std::string::npos);
+  const bool has_Gmsh = fs::exists(PARAMETERIZE_MESH_FILE "_Gmsh.so");
+  CHECK(folder.run("surface.vtp --to ball") == (has_Gmsh ? 0 : 2));
+  CHECK((folder.text("stderr").find("this is a surface; a volume mesher fills it") == std::string::npos) == has_Gmsh);
 }
 
 TEST_CASE("Only the part that moves needs targets, which may be displacements")

@@ -2,6 +2,8 @@
 #ifndef COMMAND_LINE_H
 #define COMMAND_LINE_H
 
+#include "Mesh_format.h"
+
 #include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
@@ -18,11 +20,11 @@
 struct Options
 {
   std::string source, target, domain, polycube_axes, features, regions, landmarks, others, conditions, inside, initial;
-  std::string output, refined_source, report, energy, solver, boundary, refinement;
+  std::string tetrahedra, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations = 0;
-  double energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
+  double cell_size = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
   bool do_improve = false, do_merge_points = false, do_separate = false, are_displacements = false, do_slide = false;
   bool use_volume_weights = false, minimize_maximum_angle_distortion = false, is_quiet = false;
 };
@@ -33,10 +35,21 @@ struct Command_line
   const char* name;
   boost::program_options::options_description options;
   const char *before, *after;
+  std::string formats = {}; // that this build reads and writes
 };
 
 constexpr const char* help_before_options =
-R"(Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
+R"(Examples:
+  parameterize_mesh_file part.step --cells 2 --to polycube --hexahedra 2 part.inp
+      Gmsh fills a part of a CAD program with tetrahedra. Hexahedra for Abaqus and CalculiX follow. Both have edges of about 2,
+      in the unit of part.step, for example mm.
+  parameterize_mesh_file cube.mesh --to ball -o ball.vtu
+      In ParaView, the filter Calculator with Coordinate Results and the expression uvw shows the image.
+      The data angle_distortion and volume_distortion can color the cells.
+  parameterize_mesh_file cube.mesh cube_to_ball.txt --refine --output ball.mesh --refined-source source.mesh
+      A text prescribes the boundary. Other programs can use this pair of meshes with the same cells.
+
+Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
        parameterize_mesh_file SOURCE.mesh TARGET [options]
        parameterize_mesh_file SOURCE.mesh --conditions FILE [options]
        parameterize_mesh_file SOURCE.mesh --improve [options]
@@ -48,6 +61,8 @@ the boundary does not move, and the source may have inverted and flat cells.
   SOURCE.mesh  the mesh: a file of MEDIT (*.mesh or *.meshb) or VTK (*.vtu). If the program was built with Gmsh, also *.msh, *.unv
                or *.bdf. If it was built with VTK, also *.vtk. The program meshio converts other formats:
                meshio convert a.inp a.vtu
+               With Gmsh, SOURCE.mesh may also be a body: solids of a CAD program (*.step, *.stp, *.iges, *.igs, *.brep), a script
+               of Gmsh (*.geo), or a closed surface (*.stl, *.off, *.obj, *.ply, *.vtp). Gmsh fills it with tetrahedra
   TARGET       a text with a line 'vertex_index x y z' for each boundary vertex, with indices from 0;
                or a table *.csv of ParaView;
                or a copy of SOURCE.mesh with other coordinates;
@@ -67,28 +82,20 @@ Exit status:
 If the map is written, but another file cannot be written, the status is 2 or 3, and the message says so.
 Ctrl-C and the time limit end the program in each of its parts. The program then writes valid results, with status 0, 1 or 3.
 A second Ctrl-C ends the program at once.
-
-Examples:
-  parameterize_mesh_file cube.mesh --to ball -o ball.vtu
-  parameterize_mesh_file cube.mesh cube_to_ball.txt --output ball.vtu
-      In ParaView, the filter Calculator with Coordinate Results and the expression uvw shows the image.
-      The data angle_distortion and volume_distortion can color the cells.
-  parameterize_mesh_file cube.mesh cube_to_ball.txt --refine --output ball.mesh --refined-source source.mesh
-      Other programs can use this pair of meshes with the same cells.
 )";
 
 namespace options_of_both_programs {
 
 constexpr unsigned width = 100; // columns of the help, a guess
 
-inline boost::program_options::options_description distortion(Options& options)
+inline boost::program_options::options_description distortion(Options& options, const char* const default_energy)
 {
   namespace po = boost::program_options;
   po::options_description result("Distortion", width);
   result.add_options()
-    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch"),
+    ("energy", po::value(&options.energy)->value_name("NAME")->default_value("stretch", default_energy),
      "the minimized energy. stretch: for maps onto a ball, box or polycube. symmetric_dirichlet: if the boundary moves little, "
-     "or if cells must keep their shapes, as in boundary layers. mips: for angles only; the default of --improve. Others: "
+     "or if cells must keep their shapes, as in boundary layers. mips: for angles only. Others: "
      "arap, dirichlet, lscm, lpm")
     ("volume-weights", po::bool_switch(&options.use_volume_weights),
      "weight cells by their volume; otherwise, all cells count alike")
@@ -107,7 +114,7 @@ inline void add_limits(boost::program_options::options_description& computation,
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "the time limit from the start of the program, after which it writes valid results")
     ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
-    ("version", "print the version")
+    ("version", "print the version, and the formats of files that this program has been built for")
     ("help", "print this text");
 }
 
@@ -124,6 +131,8 @@ inline Command_line command_line(Options& options)
     ("output,o", po::value(&options.output)->value_name("FILE"),
      "the file for the map. *.mesh: the mesh with the new coordinates; with Gmsh also *.msh, or *.msh2 for version 2.2. *.vtu: "
      "the source with the map and its distortion as data. Groups and data of the source are kept if the format can store them")
+    ("tetrahedra", po::value(&options.tetrahedra)->value_name("FILE"),
+     "the tetrahedra that Gmsh makes of a body (*.mesh, *.vtu, *.msh)")
     ("refined-source", po::value(&options.refined_source)->value_name("FILE"),
      "the source (*.mesh, *.msh) with the vertices that --refine added; it has the cells of the output")
     ("hexahedra", po::value(&options.hexahedra)->multitoken()->value_name("SPACING FILE"),
@@ -134,6 +143,8 @@ inline Command_line command_line(Options& options)
 
   po::options_description source("Source", width);
   source.add_options()
+    ("cells", po::value(&options.cell_size)->value_name("SIZE")->default_value(0, "a 20th of the diagonal of the box"),
+     "the largest edges, about, of the tetrahedra that Gmsh makes of a body, in the unit of its file")
     ("merge-points", po::bool_switch(&options.do_merge_points), "join cells at points with the same coordinates")
     ("features", po::value(&options.features)->value_name("FILE"),
      "the sharp edges of the source: lines with two vertices, counted from 0. They replace the edges marked in SOURCE.mesh. If "
@@ -183,7 +194,8 @@ inline Command_line command_line(Options& options)
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
 
-  po::options_description distortion = options_of_both_programs::distortion(options);
+  po::options_description distortion = options_of_both_programs::distortion(
+    options, "stretch; mips with --improve; symmetric_dirichlet if boundary vertices are free");
   distortion.add_options()
     ("max-angle-distortion", po::value(&options.maximum_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
@@ -201,7 +213,7 @@ inline Command_line command_line(Options& options)
 
   po::options_description all(width);
   all.add(files).add(source).add(boundary).add(distortion).add(computation);
-  return { "parameterize_mesh_file", all, help_before_options, help_after_options };
+  return { "parameterize_mesh_file", all, help_before_options, help_after_options, formats_of_this_build() };
 }
 
 // No more than there are processors, where their number is known: more cost memory and time, and gain nothing.
@@ -237,7 +249,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   if(given.count("version") != 0)
   {
     std::cout << line.name << " " << VOLUME_MESH_PARAMETERIZATION_VERSION << " (CGAL " << CGAL_VERSION_STR
-              << ")\n";
+              << ")\n" << line.formats;
     return false;
   }
   for(std::string* name : { &options.source, &options.target, &options.features, &options.landmarks, &options.conditions,
@@ -246,7 +258,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
       *name = "/dev/stdin";
   if(!options.hexahedra.empty() && options.hexahedra.back() == "-")
     options.hexahedra.back() = "/dev/stdout";
-  for(std::string* name : { &options.output, &options.refined_source, &options.report })
+  for(std::string* name : { &options.tetrahedra, &options.output, &options.refined_source, &options.report })
     if(*name == "-")
       *name = "/dev/stdout";
   const int number_of_ways = !options.target.empty() + !options.domain.empty() + options.do_improve;

@@ -7,4 +7,4 @@
 namespace IO = CGAL::Volume_mesh_parameterization::IO;
 
 extern "C" const Gmsh_module functions_of_Gmsh_module;
-const Gmsh_module functions_of_Gmsh_module = { IO::read_by_Gmsh, IO::write_MSH, IO::write_MSH };
+const Gmsh_module functions_of_Gmsh_module = { IO::read_by_Gmsh, IO::mesh_by_Gmsh, IO::write_MSH, IO::write_MSH };

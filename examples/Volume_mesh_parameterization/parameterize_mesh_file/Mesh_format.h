@@ -9,12 +9,14 @@
 #  include "VTK_file.h"
 #endif
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
 #include <string>
+#include <vector>
 
 // Returns a word as a shell wants it in a command, in quotes if it has other characters than those of plain names.
 inline std::string shell_quoted(const std::string& word)
@@ -29,27 +31,37 @@ inline std::string shell_quoted(const std::string& word)
 inline std::string counted(const std::size_t number, const std::string& singular, const std::string& plural)
 { return std::to_string(number) + " " + (number == 1 ? singular : plural); }
 
-// LIBRARY: the library reads it, whatever its name is; MESHIO: meshio converts it.
-enum class Mesh_format { LIBRARY, GMSH, VTK, SURFACE, MESHIO, OTHER };
+// LIBRARY: the library reads it, whatever its name is; SOLIDS: of a CAD program or a script of Gmsh; MESHIO: meshio converts it.
+enum class Mesh_format { LIBRARY, GMSH, VTK, SOLIDS, SURFACE, MESHIO, OTHER };
 
 inline std::string extension_of(const std::string& filename) { return std::filesystem::path(filename).extension().string(); }
+
+// The extensions of files of bodies, which Gmsh fills with tetrahedra.
+const std::vector<std::string> solid_extensions = { ".step", ".stp", ".iges", ".igs", ".brep", ".geo" };
+const std::vector<std::string> surface_extensions = { ".stl", ".off", ".obj", ".ply", ".vtp" };
 
 inline Mesh_format format_of(const std::string& filename)
 {
   const std::string extension = extension_of(filename);
-  const auto is_one_of = [&](const std::initializer_list<const char*> all)
+  const auto is_in = [](const std::string& extension, const std::vector<std::string>& all)
   { return std::find(all.begin(), all.end(), extension) != all.end(); };
-  if(is_one_of({ ".msh", ".msh2", ".msh4", ".unv", ".bdf" }))
+  if(is_in(extension, { ".msh", ".msh2", ".msh4", ".unv", ".bdf" }))
     return Mesh_format::GMSH;
-  if(is_one_of({ ".vtk" }))
+  if(extension == ".vtk")
     return Mesh_format::VTK;
-  if(is_one_of({ ".off", ".stl", ".ply", ".obj", ".vtp" }))
+  const std::string in_lower_case = boost::to_lower_copy(extension); // programs for CAD write capitals, too
+  if(is_in(in_lower_case, solid_extensions))
+    return Mesh_format::SOLIDS;
+  if(is_in(in_lower_case, surface_extensions))
     return Mesh_format::SURFACE;
-  if(is_one_of({ ".inp", ".avs", ".cgns", ".e", ".ex2", ".exo", ".f3grid", ".fem", ".h5m", ".mdpa", ".med", ".nas", ".vol",
-                 ".post", ".dato", ".su2", ".dat", ".tec", ".ele", ".node", ".ugrid", ".xml", ".xdmf", ".xmf", ".hmf" }))
+  if(is_in(extension, { ".inp", ".avs", ".cgns", ".e", ".ex2", ".exo", ".f3grid", ".fem", ".h5m", ".mdpa", ".med", ".nas", ".vol",
+                        ".post", ".dato", ".su2", ".dat", ".tec", ".ele", ".node", ".ugrid", ".xml", ".xdmf", ".xmf", ".hmf" }))
     return Mesh_format::MESHIO;
-  return is_one_of({ ".mesh", ".meshb", ".vtu" }) ? Mesh_format::LIBRARY : Mesh_format::OTHER;
+  return is_in(extension, { ".mesh", ".meshb", ".vtu" }) ? Mesh_format::LIBRARY : Mesh_format::OTHER;
 }
+
+inline bool is_body_name(const std::string& filename)
+{ return format_of(filename) == Mesh_format::SOLIDS || format_of(filename) == Mesh_format::SURFACE; }
 
 inline bool is_Nastran_name(const std::string& filename)
 {
@@ -66,6 +78,9 @@ inline std::string advice_for(const std::string& filename)
   const std::string file = shell_quoted(filename);
   const auto renamed = [&](const char* extension)
   { return shell_quoted(std::filesystem::path(path).replace_extension(extension).string()); };
+  if(format_of(filename) == Mesh_format::SOLIDS)
+    return "; this is a body, and this program was built without Gmsh: gmsh -3 " + file + " -o " + renamed(".mesh")
+      + " fills it. Solids that touch share no triangles then";
   if(extension_of(filename) == ".obj" || extension_of(filename) == ".stl") // TetGen marks corners of STL that are no points
     return "; this is a surface; a volume mesher fills it: meshio convert " + file + " " + renamed(".mesh")
       + ", and then tetgen -pqg " + renamed(".mesh") + " writes " + renamed(".1.mesh");
@@ -105,6 +120,26 @@ const std::string mesh_extensions = ".mesh, .vtu, .msh or .msh2";
 constexpr bool can_write_by_Gmsh = false;
 const std::string mesh_extensions = ".mesh or .vtu";
 #endif
+
+inline std::string body_extensions()
+{ return boost::join(solid_extensions, " ") + " " + boost::join(surface_extensions, " "); }
+
+// Returns lines for --version.
+inline std::string formats_of_this_build()
+{
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+  const std::string read = " .msh .unv .bdf", filled = body_extensions();
+#else
+  const std::string read, filled = "none, because it was built without Gmsh";
+#endif
+#ifdef PARAMETERIZE_MESH_FILE_USES_VTK
+  const std::string legacy = " .vtk";
+#else
+  const std::string legacy;
+#endif
+  return "meshes that it reads: .mesh .meshb .vtu" + read + legacy + "\nbodies that it fills: " + filled
+    + "\nmeshes that it writes: " + mesh_extensions + "; hexahedra also .inp\n";
+}
 
 inline bool is_mesh_name(const std::string& name)
 {

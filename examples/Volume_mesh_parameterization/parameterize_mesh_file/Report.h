@@ -74,6 +74,7 @@ inline JSON_object json(const Options& options)
 {
   return JSON_object().add("source", options.source).add("target", options.target).add("to", options.domain)
                       .add("polycube_axes", options.polycube_axes).add("improve", options.do_improve)
+                      .add("cell_size", options.cell_size).add("tetrahedra", options.tetrahedra)
                       .add("features", options.features).add("regions", options.regions)
                       .add("landmarks", options.landmarks)
                       .add("merge_points", options.do_merge_points)

@@ -10,6 +10,7 @@
 #include "check_roles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -43,7 +44,8 @@ inline std::vector<std::string> inputs(const Options& options)
 
 inline std::vector<std::string> outputs(const Options& options)
 {
-  return without_empty({ options.output, options.refined_source, options.report, Hexahedra_file(options.hexahedra).name() });
+  return without_empty({ options.tetrahedra, options.output, options.refined_source, options.report,
+                         Hexahedra_file(options.hexahedra).name() });
 }
 
 inline bool writes_to_standard_output(const Options& options)
@@ -51,6 +53,17 @@ inline bool writes_to_standard_output(const Options& options)
   const std::vector<std::string> names = outputs(options);
   return std::any_of(names.begin(), names.end(), [](const std::string& name)
     { return name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1"; });
+}
+
+inline void check_cells(const Options& options)
+{
+  if(!(options.cell_size >= 0) || std::isinf(options.cell_size))
+    throw std::runtime_error("the size of cells (--cells) must be a finite number that is not negative");
+  if((options.cell_size > 0 || !options.tetrahedra.empty()) && !is_body_name(options.source))
+    throw std::runtime_error("--cells and --tetrahedra need a source that is filled, with one of the extensions "
+                             + body_extensions());
+  if(!options.tetrahedra.empty() && !Output_file::is_stream(options.tetrahedra) && !is_mesh_name(options.tetrahedra))
+    throw std::runtime_error(options.tetrahedra + ": the name of the tetrahedra must end with " + mesh_extensions);
 }
 
 inline void check_files(const Options& options)
@@ -101,6 +114,7 @@ inline void check(const Options& options)
   if(!(options.time_limit >= 0))
     throw std::runtime_error("the time limit must not be negative");
   check_number_of_threads(options);
+  check_cells(options);
   check_files(options);
 }
 

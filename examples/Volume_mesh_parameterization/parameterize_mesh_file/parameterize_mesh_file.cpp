@@ -72,7 +72,10 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   outcome.hexahedra = hexahedra;
   outcome.seconds_hexahedra = progress.seconds() - begin;
   if(hexahedra.has_valid_mesh)
+  {
     outcome.files.push_back(file.name());
+    note_changed_names(options, mesh);
+  }
   if(hexahedra.status == VMP::OK)
     return;
   const bool is_interrupted = hexahedra.status == VMP::ERROR_INTERRUPTED;
@@ -151,6 +154,8 @@ Outcome run(const Options& options, Progress_line& progress)
   };
   for(const std::string& note : source.notes)
     print_note(options.source, note);
+  if(!options.tetrahedra.empty())
+    write_map(options.tetrahedra, mesh, mesh.points, false, progress);
 
   const bool has_file = !options.target.empty();
   if(has_file)

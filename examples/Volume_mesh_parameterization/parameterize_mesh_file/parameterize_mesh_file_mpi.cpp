@@ -81,7 +81,7 @@ Command_line distributed_command_line(Options& options)
   po::options_description computation("Computation", options_of_both_programs::width);
   options_of_both_programs::add_limits(computation, options);
   po::options_description all(options_of_both_programs::width);
-  all.add(files).add(options_of_both_programs::distortion(options)).add(computation);
+  all.add(files).add(options_of_both_programs::distortion(options, "stretch")).add(computation);
   return { "parameterize_mesh_file_mpi", all, help_before, help_after };
 }
 

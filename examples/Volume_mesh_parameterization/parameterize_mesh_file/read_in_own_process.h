@@ -72,9 +72,12 @@ enum Reading_result { MESH_READ, FILE_REFUSED, OUT_OF_MEMORY };
 // Processor time for a file, a guess: Gmsh 4.8 reads a megabyte in 0.2 s.
 inline rlim_t seconds_to_read(const std::size_t size_of_file) { return 60 + 10 * static_cast<rlim_t>(size_of_file >> 20); }
 
+// Processor time to fill a body with tetrahedra, a guess: Gmsh 4.8 makes a million of them in a minute or two.
+constexpr rlim_t seconds_to_mesh = 600;
+
 // Limits the memory and the processor time of this process. The limits are guesses: the memory of Gmsh 4.8 is 13 times the
 // size of a file.
-inline void limit_resources(const std::size_t size_of_file)
+inline void limit_resources(const std::size_t size_of_file, const rlim_t seconds)
 {
   const auto limit = [](const auto resource, const rlim_t value)
   {
@@ -84,7 +87,7 @@ inline void limit_resources(const std::size_t size_of_file)
     setrlimit(resource, &limits);
   };
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, seconds_to_read(size_of_file));
+  limit(RLIMIT_CPU, seconds);
   rlim_t pages; // that this process has already
   if(std::ifstream("/proc/self/statm") >> pages)
     limit(RLIMIT_AS, pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + (rlim_t(4) << 30) + 100 * size_of_file);
@@ -165,15 +168,18 @@ inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
   throw Interruption();
 }
 
-// Returns the mesh that `read(mesh)` reads from a file by a library, in a process of its own.
+// Returns the mesh that `read(mesh)` reads from a file by a library, in a process of its own. Where the library also makes the
+// mesh, it has more time.
 template <typename Read>
 CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3
-read_in_own_process(const std::string& filename, const std::string& library, const Progress_line& progress, const Read& read)
+read_in_own_process(const std::string& filename, const std::string& library, const Progress_line& progress, const Read& read,
+                    const bool makes_mesh = false)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   std::error_code no_file;
   std::size_t size = std::filesystem::file_size(filename, no_file);
   size = no_file ? 0 : size;
+  const rlim_t seconds = seconds_to_read(size) + (makes_mesh ? seconds_to_mesh : 0);
   std::array<int, 2> ends;
   if(pipe(ends.data()) != 0)
     throw std::runtime_error(std::string("no pipe can be made to read files: ") + std::strerror(errno));
@@ -181,7 +187,7 @@ read_in_own_process(const std::string& filename, const std::string& library, con
   if(child.is_this_one())
   {
     close(ends[0]); // to fail at writing if the parent has ended
-    limit_resources(size);
+    limit_resources(size, seconds);
     read_and_exit(read, ends[1]);
   }
   close(ends[1]);
@@ -196,8 +202,8 @@ read_in_own_process(const std::string& filename, const std::string& library, con
     throw VMP::Input_error(library + " ran out of memory on a file of " + std::to_string(size) + " bytes"
                            + note_of_large_number(filename, size));
   if(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw VMP::Input_error(library + " did not finish within " + std::to_string(seconds_to_read(size))
-                           + " s of processor time. The file may be damaged");
+    throw VMP::Input_error(library + " did not finish within " + std::to_string(seconds) + " s of processor time. "
+                           + (makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged"));
   throw VMP::Input_error(library + " crashed"
                          + (WIFSIGNALED(status) ? std::string(" (") + strsignal(WTERMSIG(status)) + ")" : std::string())
                          + "; the file may be damaged");

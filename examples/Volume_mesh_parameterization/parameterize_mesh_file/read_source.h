@@ -6,6 +6,7 @@
 #include "mend_source.h"
 #include "read_in_own_process.h"
 #include "regions_of_source.h"
+#include "sentence_on_content.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
@@ -67,8 +68,9 @@ inline void check_coordinate_systems(const std::string& filename)
     }
 }
 
-// Reads a mesh in any of the formats. Throws `Interruption` where the time is over.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
+// Reads a mesh in the format of its name. Throws `Interruption` where the time is over.
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh_by_name(const std::string& filename,
+                                                                               Progress_line& progress)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   if(is_Nastran_name(filename))
@@ -96,6 +98,35 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
   return soup;
 }
 
+// Reads a mesh, likewise. Where that fails, the content may tell more than the name.
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
+{
+  using CGAL::Volume_mesh_parameterization::Input_error;
+  try
+  {
+    return read_mesh_by_name(filename, progress);
+  }
+  catch(const Input_error& error)
+  {
+    const std::string sentence = sentence_on_content(filename);
+    throw Input_error(sentence.empty() ? error.what() : filename + ": " + sentence);
+  }
+}
+
+// Fills the body of a CAD file or of a closed surface with tetrahedra. Without Gmsh, the error has the advice.
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 filled_body(const Options& options, Progress_line& progress)
+{
+#ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+  return naming(options.source, [&]
+  {
+    return read_in_own_process(options.source, "Gmsh", progress,
+                               [&](auto& soup) { gmsh_module().fill(options.source, soup, options.cell_size); }, true);
+  });
+#else
+  return read_mesh(options.source, progress);
+#endif
+}
+
 // Says which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
 inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
 {
@@ -114,7 +145,8 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
 
 inline Source read_source(const Options& options, Progress_line& progress)
 {
-  auto soup = read_mesh(options.source, progress);
+  auto soup = is_body_name(options.source) ? filled_body(options, progress) : read_mesh(options.source, progress);
+  naming(options.source, [&] { CGAL::Volume_mesh_parameterization::remove_false_marks(soup); });
   if(!options.regions.empty())
     naming(options.source, [&] { take_regions(options.regions, soup); });
   if(!options.features.empty()

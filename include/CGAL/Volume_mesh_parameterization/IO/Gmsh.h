@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_mesher.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_writer.h>
 
 #include <filesystem>
@@ -45,6 +46,38 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
     gmsh::merge(filename);
     soup = internal::Gmsh_reader().read(is_MSH ? internal::names_of_groups(filename) : internal::Names_of_groups());
   });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// fills the body of a file with tetrahedra, by Gmsh. The file has solids of a CAD program (`.step`, `.stp`, `.iges`, `.igs`,
+/// `.brep`), is a script of Gmsh that makes solids (`.geo`), or has a closed surface (`.stl`, `.off`, `.obj`, `.ply`, `.vtp`).
+///
+/// Solids that touch share faces of the mesh. References are the numbers of solids, faces and curves in Gmsh, with the names of
+/// solids, or physical groups of a script. Curves between faces are marked edges. A surface has no references and no marked edges.
+///
+/// \param filename the name of the file, which must be a regular one
+/// \param soup gets the mesh
+/// \param cell_size the largest length of edges, about, up to a tenth of the diagonal of the bounding box; with 0,
+///        `Mesh.MeshSizeMax` of the script, or else a twentieth of the diagonal
+///
+/// \pre `cell_size` is not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+///
+/// \exception Input_error names the fault, if possible in the words of Gmsh, and a remedy; \c soup is then unchanged. Gmsh may
+///            crash or never finish. A script of Gmsh may run other programs.
+inline void mesh_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup, const double cell_size = 0)
+{
+  internal::require(cell_size >= 0, "cell_size must not be negative.");
+  if(!std::filesystem::exists(filename))
+    throw Input_error("the file cannot be opened");
+  if(!std::filesystem::is_regular_file(filename))
+    throw Input_error("Gmsh reads regular files only");
+  if(internal::is_surface_name(filename))
+    soup = internal::filled_surface(internal::read_surface(filename, internal::Budget()), cell_size);
+  else if(internal::has_extension(filename, { ".step", ".stp", ".iges", ".igs", ".brep", ".geo" }))
+    soup = internal::filled_solids(filename, cell_size);
+  else
+    throw Input_error("the extension is not one of a body that Gmsh fills");
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO

@@ -13,11 +13,10 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_targets.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/targets_of_surface.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/iterator.h>
 
 #include <filesystem>
@@ -64,66 +63,14 @@ inline Read_targets targets_of_mesh(Tetrahedron_soup_3 target, const Tetrahedron
   return { std::move(target.points) };
 }
 
-// Returns a surface as a soup without cells.
-inline Tetrahedron_soup_3 surface_of_polygons(Points points, const std::vector<std::vector<std::size_t> >& polygons)
-{
-  Tetrahedron_soup_3 result;
-  result.points = std::move(points);
-  for(const std::vector<std::size_t>& polygon : polygons)
-  {
-    if(polygon.size() != 3)
-      throw Input_error("the surface has a face with " + std::to_string(polygon.size()) + " vertices");
-    result.facets.emplace_back();
-    for(std::size_t i = 0; i < 3; ++i)
-      result.facets.back()[i] = checked_vertex(static_cast<std::int64_t>(polygon[i]), 0, result.points.size());
-  }
-  return result;
-}
-
-// Reads a surface in one of the formats of CGAL.
-inline Tetrahedron_soup_3 read_surface(const std::string& filename)
-{
-  std::vector<Simple_cartesian<double>::Point_3> points_of_file;
-  std::vector<std::vector<std::size_t> > polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points_of_file, polygons))
-    throw Input_error("the surface cannot be read");
-  Points points;
-  for(const auto& p : points_of_file)
-    points.push_back(coordinates(p));
-  return surface_of_polygons(std::move(points), polygons);
-}
-
-// Reads the polygons of an XML file of VTK of the type PolyData, in one piece.
-inline Tetrahedron_soup_3 read_VTP(const std::string& text, const Budget& budget)
-{
-  const VTK_arrays arrays(text, budget, "PolyData");
-  Points points;
-  const std::vector<double> coordinates = arrays.numbers<double>("Points", 3);
-  for(std::size_t i = 0; i < coordinates.size(); i += 3)
-    points.push_back({ coordinates[i], coordinates[i + 1], coordinates[i + 2] });
-  const auto vertices = arrays.numbers<std::int64_t>("Polys/connectivity");
-  std::vector<std::vector<std::size_t> > polygons;
-  std::size_t begin = 0;
-  for(const std::int64_t end : arrays.numbers<std::int64_t>("Polys/offsets"))
-  {
-    polygons.emplace_back();
-    for(; begin < vertices.size() && static_cast<std::int64_t>(begin) < end; ++begin)
-      polygons.back().push_back(static_cast<std::size_t>(vertices[begin]));
-  }
-  return surface_of_polygons(std::move(points), polygons);
-}
-
 inline Read_targets targets_of_file(const std::string& filename, const Tetrahedron_soup_3& source, const Budget& budget)
 {
   const std::string extension = std::filesystem::path(filename).extension().string();
-  for(const char* surface : { ".off", ".stl", ".ply", ".obj" })
-    if(extension == surface)
-      return targets_of_mesh(read_surface(filename), source, budget);
+  if(is_surface_name(filename))
+    return targets_of_mesh(read_surface(filename, budget), source, budget);
   const std::string text = read_file(filename, budget);
   if(extension == ".csv")
     return { targets_of_CSV(text, source.points.size(), budget) };
-  if(extension == ".vtp")
-    return targets_of_mesh(read_VTP(text, budget), source, budget);
   if(!is_MEDIT_file(filename) && !is_mesh(text))
     return { points_of_vertices(read_targets(Text_scanner(text, budget), source.points.size()), 0, source.points.size()) };
   const bool may_be_surface = is_MEDIT_file(filename) && !Binary_MEDIT_reader::is_binary(text) && !VTK_arrays::is_VTU(text);

@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -42,9 +43,9 @@ public:
   Gmsh_session& operator=(const Gmsh_session&) = delete;
 };
 
-// Calls f in a session. Gmsh throws its last message as a string.
+// Calls f in a session. Gmsh throws its last message as a string; `remedy` ends the sentence.
 template <typename Function>
-auto with_Gmsh(const Function& f)
+auto with_Gmsh(const Function& f, const char* const remedy = "")
 {
   try
   {
@@ -53,7 +54,7 @@ auto with_Gmsh(const Function& f)
   }
   catch(const std::string& message)
   {
-    throw Input_error("Gmsh says: " + message);
+    throw Input_error("Gmsh says: " + message.substr(0, message.find_last_not_of(" ") + 1) + remedy);
   }
 }
 
@@ -79,10 +80,13 @@ inline Names_of_groups names_of_groups(const std::string& filename)
   return result;
 }
 
-// Makes a soup of the model that Gmsh has read.
+// Makes a soup of the model that Gmsh has read, or has filled with tetrahedra. Entities stand for groups if there are none.
 class Gmsh_reader
 {
 public:
+  // Elements of the curves `left_out` are no edges of the soup.
+  explicit Gmsh_reader(std::set<int> left_out = {}) : m_left_out(std::move(left_out)) {}
+
   // The names are those of groups for which the model has none.
   Tetrahedron_soup_3 read(const Names_of_groups& names = {})
   {
@@ -102,7 +106,13 @@ public:
     }
     gmsh::model::getEntities(entities);
     for(const auto& [dimension, tag] : entities)
+    {
+      if(dimension == 1 && m_left_out.count(tag) != 0)
+        continue;
+      if(!has_groups[dimension])
+        read_name(dimension, tag);
       read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
+    }
     require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "gmsh -save -o");
     read_data();
     if(m_has_higher_order)
@@ -130,6 +140,16 @@ private:
       m_points[tags[i]] = m_soup.points.size();
       m_soup.points.push_back(point);
     }
+  }
+
+  // A shape of CAD has the names of its assemblies before its own, which may be one that no user gave.
+  void read_name(const int dimension, const int tag)
+  {
+    std::string name;
+    gmsh::model::getEntityName(dimension, tag, name);
+    name.erase(0, name.rfind('/') + 1);
+    if(!name.empty() && name.find("Open CASCADE STEP translator") != 0)
+      m_soup.group_names[{ dimension, tag }] = name;
   }
 
   // The groups of an entity, or else no group.
@@ -228,6 +248,7 @@ private:
     }
   }
 
+  std::set<int> m_left_out;
   Tetrahedron_soup_3 m_soup;
   std::map<std::size_t, std::size_t> m_points;          // by their tags, in the order of these
   std::vector<std::size_t> m_edges, m_facets, m_cells;  // their tags
