@@ -68,8 +68,8 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
 }
 
 // Returns whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian if this is
-// bad, or the larger sum of the least one, up to the sufficient one, and the mean: a gain in one of both must not cost as much of
-// the other. Boundaries that are far apart, in edges, have a price.
+// bad, or leaves out nothing of the body longer than an edge, or has the larger sum of the least one, up to the sufficient one, and
+// the mean: a gain in one of both must not cost as much of the other. Boundaries that are far apart, in edges, have a price.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
@@ -84,7 +84,9 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
     return a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra;
   const double least_of_a = (std::min)(a.minimum_scaled_jacobian, bad_scaled_jacobian);
   const double least_of_b = (std::min)(b.minimum_scaled_jacobian, bad_scaled_jacobian);
-  return least_of_a != least_of_b ? least_of_a > least_of_b : quality(a) > quality(b);
+  const bool is_a_complete = a.boundary_distance <= edge, is_b_complete = b.boundary_distance <= edge;
+  return least_of_a != least_of_b ? least_of_a > least_of_b
+    : is_a_complete != is_b_complete ? is_a_complete : quality(a) > quality(b);
 }
 
 // Returns whether a mesh is valid, and no scaled Jacobian is below a bound.

@@ -62,13 +62,15 @@ private:
   }
 
   // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
-  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other. Rounds that do
-  // not halve the number of inverted corners are in vain; then vertices on lines may leave the lines.
+  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other; they alone while that
+  // untangles some and corners are so flat that they hold up all others. Rounds that do not halve the number of inverted corners are
+  // in vain; then vertices on lines may leave the lines.
   void move_all()
   {
     constexpr int number_of_first_rounds = 3;                // a guess
     constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
     constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
+    constexpr double nearly_flat = 0.001;                    // a guess; scaled Jacobian that holds up steps for all vertices
     std::size_t fewest_inverted_corners = m_result.number_of_inverted_corners;
     for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
@@ -76,18 +78,30 @@ private:
       const bool are_few = m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
       if(in_vain == patience - 1 && are_few && m_hexahedra.leave_lines(0))
         in_vain = 0;
+      const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
         smooth(price);
       const double mean = m_result.mean_scaled_jacobian;
-      m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
-                          round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
-      evaluate();
+      if(std::abs(m_result.minimum_scaled_jacobian) > nearly_flat || !is_untangled_more(m_result, before))
+      {
+        m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
+                            round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
+        evaluate();
+      }
       in_vain = m_result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
       fewest_inverted_corners = (std::min)(fewest_inverted_corners, m_result.number_of_inverted_corners);
       if(round >= number_of_first_rounds && m_result.number_of_inverted_corners == 0
          && m_result.mean_scaled_jacobian < mean + least_gain)
         break;
     }
+  }
+
+  // Returns whether a mesh has fewer inverted corners or hexahedra than another one.
+  static bool is_untangled_more(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
+  {
+    return a.number_of_inverted_corners < b.number_of_inverted_corners
+      || (a.number_of_inverted_corners == b.number_of_inverted_corners
+          && a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra);
   }
 
   // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
