@@ -14,6 +14,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -341,6 +342,61 @@ TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
   }, [&](const double x, const double y, const double z) { return in_place(scale * x, scale * y, scale * z); }));
   REQUIRE(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 10); // two of twelve are in planes of other ones
+}
+
+TEST_CASE("a groove far below the spacing is flattened")
+{
+  // two blocks and a plate between them, which is inset by 0.02
+  const auto place = [](const double x) { return x < 1 ? 0.02 * x : x > 5 ? 4.02 + 0.02 * (x - 5) : x - 0.98; };
+  Labelled_complex complex(bricks({6, 6, 7}, [](const int x, const int y, const int z)
+  {
+    return z != 3 || (x > 0 && x < 5 && y > 0 && y < 5);
+  }, [&](const double x, const double y, const double z) { return in_place(place(x), place(y), z); }));
+  REQUIRE(complex.parameterize(0.5) == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+  REQUIRE(complex.parameterize(0.05) == VMP::OK); // the groove is deeper than a part of the spacing
+  CHECK(faces_of_image(complex).size() == 12);
+  REQUIRE(complex.parameterize() == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 12);
+}
+
+TEST_CASE("a thin plate is no groove")
+{
+  Labelled_complex complex(bricks({6, 6, 2}, is_box,
+                                  [](const double x, const double y, const double z) { return in_place(x, y, 0.02 * z); }));
+  REQUIRE(complex.parameterize(0.5) == VMP::OK);
+  CHECK(faces_of_image(complex).size() == 6);
+}
+
+TEST_CASE("a ramp does not join the faces at its ends")
+{
+  // a low and a high plane, which a ramp joins beside a trench
+  VMP::Tetrahedron_soup_3 soup = bricks({8, 5, 7}, [](const int x, const int y, const int z)
+  {
+    return z < 1 || x == 7 || (y < 2 && x >= 1) || (y >= 3 && x >= 4);
+  }, [](const double x, const double y, const double z)
+  {
+    return in_place(x, y, z >= 1 && y <= 2 && x >= 1 && x <= 7 ? 1 + (z - 1) * (x - 1) / 6 : z);
+  });
+  VMP::merge_coinciding_points(soup);
+  const auto is_flat = [](std::array<std::size_t, 4> cell)
+  {
+    std::sort(cell.begin(), cell.end());
+    return std::adjacent_find(cell.begin(), cell.end()) != cell.end();
+  };
+  soup.cells.erase(std::remove_if(soup.cells.begin(), soup.cells.end(), is_flat), soup.cells.end());
+  soup.cell_references.resize(soup.cells.size());
+  Labelled_complex complex(soup);
+  REQUIRE(complex.parameterize() == VMP::OK);
+  double volume = 0, volume_of_source = 0;
+  for(const Facet& f : complex.boundary())
+  {
+    const std::array<Point_3, 3> t = complex.image_triangle(f);
+    volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
+  }
+  for(const Cell_handle c : complex.cells)
+    volume_of_source += complex.c3t3.triangulation().tetrahedron(c).volume();
+  CHECK(volume < 2.2 * volume_of_source); // the box with one upper face has 2.8 times the volume
 }
 
 TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")

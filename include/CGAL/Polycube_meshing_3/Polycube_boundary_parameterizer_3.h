@@ -110,13 +110,19 @@ the boundary, edges with more than 60 degrees between the normals on both sides 
 <b>Labels</b>. If no labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}.
 Lines along sharp edges cost nothing. Charts that no polycube can have get other labels, at the lowest cost. Of the polycubes
 found for several weights, the one whose harmonic maps have the least distortion is taken. Its distortion is the mean square
-of the logarithms of the singular values. If its map is not valid, the next polycube is tried.
+of the logarithms of the singular values. If its map is not valid, the next polycube is tried. If the polycube is bad, large faces
+that are oblique to the axes get their second direction, one after the other.
+
+<b>Narrow charts</b>. With a spacing, charts narrower than 0.3 times the spacing are flattened: their facets get the labels of the
+charts at their borders. This applies to steps and grooves, for which hexahedra have no room. A chart is not flattened if its
+neighbors have no valid polycube then. `Polycube_result::features_given_up` lists the sharp edges of flattened charts. With given
+labels, no chart is flattened.
 
 <b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. A body with handles is mapped to
 a box with as many holes. At least four edges of the mesh must lead around each handle. With `Refinement_mode::BOUNDARY`,
 `CGAL::stretch_minimizing_volume_parameterization()` does not need this number of edges. It also tries polycubes of voxels,
-and splits edges of the boundary near edges of the polycube. If there are several handles, it tries them before boxes. Handles
-finer than a voxel are not found.
+and splits edges of the boundary near edges of the polycube. If there are several handles, it tries them before boxes. A polycube of
+voxels also replaces one that is far more distorted. Handles finer than a voxel are not found.
 
 The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
 

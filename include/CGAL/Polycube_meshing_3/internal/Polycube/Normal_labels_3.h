@@ -96,6 +96,43 @@ public:
     return has_changed;
   }
 
+  // Connected faces that are far from all directions and have the same two closest ones.
+  struct Slope { double area = 0; std::vector<Face> faces; };
+
+  // Returns the slopes, the largest ones first.
+  std::vector<Slope> slopes() const
+  {
+    constexpr double least_area = 0.004, least_cost = 0.05; // guesses; parts of the whole area and of that of a face: 18 degrees
+    Labels directions; // the two closest ones, or 0
+    for(const Face f : m_mesh.faces())
+    {
+      const auto [a, b] = two_closest(f);
+      directions.push_back(cost(f, a) > least_cost * area_of_face(m_mesh, f) ? 1 + 6 * a + b : 0);
+    }
+    const auto [slope_of_face, n] = connected_charts_3(m_mesh, directions);
+    std::vector<Slope> result(n);
+    double whole_area = 0;
+    for(const Face f : m_mesh.faces())
+    {
+      whole_area += area_of_face(m_mesh, f);
+      if(directions[f] == 0)
+        continue;
+      result[slope_of_face[f]].area += area_of_face(m_mesh, f);
+      result[slope_of_face[f]].faces.push_back(f);
+    }
+    std::stable_sort(result.begin(), result.end(), [](const Slope& a, const Slope& b) { return a.area > b.area; });
+    while(!result.empty() && result.back().area < least_area * whole_area)
+      result.pop_back();
+    return result;
+  }
+
+  // Makes the faces of a slope prefer the second closest direction.
+  void turn(const Slope& slope)
+  {
+    for(const Face f : slope.faces)
+      m_face_costs[f][two_closest(f)[0]] += area_of_face(m_mesh, f);
+  }
+
   // Lowers the sum, `smoothing` being the weight of the lengths.
   void minimize(const double smoothing, Labels& labels)
   {
@@ -161,12 +198,19 @@ private:
     std::vector<std::size_t> result;
     for(const Face f : m_mesh.faces())
     {
-      std::array<std::size_t, 6> order = { 0, 1, 2, 3, 4, 5 };
-      std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) { return cost(f, a) < cost(f, b); });
-      const auto [a, b] = std::minmax(order[0], order[1]);
-      result.push_back(cost(f, order[1]) - cost(f, order[0]) < tolerance * area_of_face(m_mesh, f) ? 6 * a + b : no_tie);
+      const std::array<std::size_t, 2> closest = two_closest(f);
+      const auto [a, b] = std::minmax(closest[0], closest[1]);
+      result.push_back(cost(f, closest[1]) - cost(f, closest[0]) < tolerance * area_of_face(m_mesh, f) ? 6 * a + b : no_tie);
     }
     return result;
+  }
+
+  // Returns the two cheapest labels of a face.
+  std::array<std::size_t, 2> two_closest(const Face f) const
+  {
+    std::array<std::size_t, 6> order = { 0, 1, 2, 3, 4, 5 };
+    std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) { return cost(f, a) < cost(f, b); });
+    return { order[0], order[1] };
   }
 
   // Relabels the charts whose new labels lower the sum more than those of their neighbors. Returns whether there were any.

@@ -153,7 +153,7 @@ private:
   void straighten(const Budget& budget)
   {
     const std::vector<Eigen::Vector3d> images = m_images;
-    for(Lines_of_charts_3 lines(m_mesh, m_charts, m_surface.is_sharp, m_grid, images); !lines.are_empty(); )
+    for(Lines_of_charts_3 lines(m_mesh, m_charts, followed_edges(), m_grid, images); !lines.are_empty(); )
     {
       map_with(lines, images, budget);
       relax(budget);
@@ -165,6 +165,21 @@ private:
     m_images = images;
     m_is_on_line.assign(m_images.size(), { false, false, false });
     m_flipped_faces.clear();
+  }
+
+  // Returns whether each edge is sharp and not at a face that is normal to the face of its chart: a step that is flattened.
+  std::vector<bool> followed_edges() const
+  {
+    constexpr double least_cosine = 0.1; // a guess
+    std::vector<bool> result = m_surface.is_sharp;
+    for(const auto h : m_mesh.halfedges())
+    {
+      const Facet_edges_3 X = edges_of_face(m_mesh, m_mesh.face(h));
+      const Eigen::Vector3d direction = vector_of_direction(m_charts.labels()[m_charts.chart(h)]);
+      if(X[0].cross(X[1]).stableNormalized().dot(direction) < least_cosine)
+        result[m_mesh.edge(h)] = false;
+    }
+    return result;
   }
 
   // Maps the charts with lines, from the images of corners.

@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -47,10 +48,13 @@ public:
          other.map.status == OK && distortion_3(m_mesh, other.map.images) < distortion_3(m_mesh, best.map.images)
          && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
+    turn_slopes(costs, best);
     return std::move(best.map);
   }
 
 private:
+  static constexpr double narrow_part = 0.3; // of the spacing, below which charts are flattened; a guess
+
   using Labels = Normal_labels_3::Labels;
 
   struct Polycube
@@ -68,6 +72,7 @@ private:
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
+      flatten_narrow_charts_3(m_mesh, narrow_part * m_surface.spacing / m_surface.box.sizes().maxCoeff(), labels);
       if(!m_proposed.insert(labels).second)
         continue;
       for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
@@ -96,6 +101,35 @@ private:
       break;
     }
     return result;
+  }
+
+  // Lets slopes prefer their second direction, the largest ones first, as long as the best polycube is bad: a slope that has the
+  // direction of the faces at both of its ends joins them to one.
+  void turn_slopes(Normal_labels_3 costs, Polycube& best)
+  {
+    constexpr double bad_distortion = 0.5; // a guess; parts of CAD have less
+    constexpr int patience = 4;            // a guess
+    int in_vain = 0;
+    double least = distortion(best);
+    for(const Normal_labels_3::Slope& slope : costs.slopes())
+    {
+      if(!(least > bad_distortion) || in_vain++ == patience)
+        return;
+      Normal_labels_3 turned = costs;
+      turned.turn(slope);
+      Polycube other = proposed(turned);
+      if(!(distortion(other) < least))
+        continue;
+      least = distortion(other);
+      best = std::move(other);
+      costs.turn(slope);
+      in_vain = 0;
+    }
+  }
+
+  double distortion(const Polycube& polycube) const
+  {
+    return polycube.map.status == OK ? distortion_3(m_mesh, polycube.map.images) : (std::numeric_limits<double>::infinity)();
   }
 
   // Returns the length of the sharp edges whose images lead along no axis.

@@ -117,35 +117,32 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
   return result;
 }
 
-// Maps a surface to a polycube of voxels, for which edges are split, if its distortion is not above a maximum.
-inline Found_polycube_3 map_to_split_polycube_3(const Turned_surface_3& turned, const double maximum_distortion,
-                                                const Budget& budget)
-{
-  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
-  if(map.images.empty() || map.distortion > maximum_distortion)
-    return {};
-  return { OK, turned.rotation, {}, std::move(map.splits), std::move(map.images) };
-}
-
-// Maps a surface with handles for which no labels of a polycube are found. A polycube of voxels needs far more facets, so it must
-// be far less distorted than a box with a hole. Boxes with several holes were more distorted on all bodies: they come last.
-inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
+// Adds a polycube of voxels, for which edges are split, to a bad polycube or none. It must be far less distorted, as it needs far
+// more facets.
+inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Found_polycube_3 found, const bool may_split,
+                                      const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
-  constexpr double infinity = (std::numeric_limits<double>::infinity)();
+  const double maximum_distortion = found.status == OK ? enough * distortion_3(turned.mesh, found.images)
+                                                       : (std::numeric_limits<double>::infinity)();
+  if(!may_split || maximum_distortion < usual)
+    return found;
+  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
+  if(map.images.empty() || map.distortion > maximum_distortion)
+    return found;
+  return { OK, turned.rotation, std::move(found.images), std::move(map.splits), std::move(map.images) };
+}
+
+// Maps a surface with handles for which no labels of a polycube are found. Boxes with several holes were more distorted than voxels
+// on all bodies: they come last.
+inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
+{
   const bool are_several = number_of_handles(turned.mesh) > 1;
-  if(may_split && are_several)
-    if(Found_polycube_3 found = map_to_split_polycube_3(turned, infinity, budget); found.status == OK)
+  if(are_several)
+    if(Found_polycube_3 found = with_voxels_3(turned, {}, may_split, budget); found.status == OK)
       return found;
-  const Surface_map_3 box = map_to_box_with_holes_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
-  const double maximum_distortion = box.status == OK ? enough * distortion_3(turned.mesh, box.images) : infinity;
-  Found_polycube_3 found = { ERROR_NO_POLYCUBE };
-  if(may_split && !are_several && maximum_distortion >= usual)
-    found = map_to_split_polycube_3(turned, maximum_distortion, budget);
-  found.status = found.status == OK ? OK : box.status;
-  found.rotation = turned.rotation;
-  found.images = box.images;
-  return found;
+  Surface_map_3 box = map_to_box_with_holes_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
+  return with_voxels_3(turned, { box.status, turned.rotation, std::move(box.images) }, may_split && !are_several, budget);
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
@@ -208,6 +205,7 @@ inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& fra
   const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
   double least_distortion = (std::numeric_limits<double>::infinity)();
   Found_polycube_3 best;
+  const Turned_surface_3* frame = &frames.front();
   for(const Turned_surface_3& turned : frames)
   {
     Surface_map_3 map = Search_for_polycube_3(turned, factor, budget).run();
@@ -218,8 +216,12 @@ inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& fra
       continue;
     least_distortion = distortion;
     best = { OK, turned.rotation, std::move(map.images) };
+    frame = &turned;
   }
-  return best.status == OK || budget.is_exhausted() ? best : map_to_any_box_3(frames.front(), may_split, budget);
+  if(budget.is_exhausted())
+    return best;
+  return best.status == OK ? with_voxels_3(*frame, std::move(best), may_split, budget)
+                           : map_to_any_box_3(*frame, may_split, budget);
 }
 
 // Maps a surface in the order in which it is searched.

@@ -161,7 +161,8 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   return result;
 }
 
-// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places.
+// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places. Splits have a price, since they
+// multiply the cells inside.
 inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
@@ -173,6 +174,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
   Split_surface_3 unsplit = { unit_points(mesh), turned.surface.facets };
   for(const auto& [v, w] : turned.surface.sharp_edges)
     unsplit.sharp_edges.insert((std::minmax)(v, w));
+  const auto cost = [](const Map_to_voxels_3& map) { return map.distortion * static_cast<double>(map.images.size()); }; // a guess
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
   Map_to_voxels_3 best;
@@ -202,7 +204,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
         if(map.images.empty())
           continue;
         ++number_of_maps;
-        if(map.distortion < best.distortion)
+        if(best.images.empty() || cost(map) < cost(best))
           best = std::move(map);
         break;
       }
