@@ -121,8 +121,8 @@ labels, no chart is flattened.
 <b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. A body with handles is mapped to
 a box with as many holes. At least four edges of the mesh must lead around each handle. With `Refinement_mode::BOUNDARY`,
 `CGAL::stretch_minimizing_volume_parameterization()` does not need this number of edges. It also tries polycubes of voxels,
-and splits edges of the boundary near edges of the polycube. If there are several handles, it tries them before boxes. A polycube of
-voxels also replaces one that is far more distorted. Handles finer than a voxel are not found.
+and splits edges of the boundary near edges of the polycube. If there are several handles, it tries them before boxes. A
+polycube of voxels also replaces one that is far more distorted. Handles finer than a voxel are not found.
 
 The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
 

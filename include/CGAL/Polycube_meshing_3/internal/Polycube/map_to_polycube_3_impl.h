@@ -133,8 +133,8 @@ inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Found_poly
   return { OK, turned.rotation, std::move(found.images), std::move(map.splits), std::move(map.images) };
 }
 
-// Maps a surface with handles for which no labels of a polycube are found. Boxes with several holes were more distorted than voxels
-// on all bodies: they come last.
+// Maps a surface with handles for which no labels of a polycube are found. Boxes with several holes were more distorted than
+// voxels on all bodies: they come last.
 inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
   const bool are_several = number_of_handles(turned.mesh) > 1;

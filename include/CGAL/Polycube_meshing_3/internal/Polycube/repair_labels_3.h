@@ -172,8 +172,8 @@ inline void give_away_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3
     }
 }
 
-// Gives charts narrower than a width away, if that makes no more defects: planes that are far nearer to each other than those of a
-// grid, as of a groove, become one.
+// Gives charts narrower than a width away, if that makes no more defects: planes that are far nearer to each other than those of
+// a grid, as of a groove, become one.
 inline void flatten_narrow_charts_3(const Boundary_mesh_3& mesh, const double width, std::vector<std::size_t>& labels)
 {
   if(width == 0)

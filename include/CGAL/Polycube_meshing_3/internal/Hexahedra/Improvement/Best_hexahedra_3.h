@@ -68,8 +68,8 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
 }
 
 // Returns whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian if this is
-// bad, or leaves out nothing of the body longer than an edge, or has the larger sum of the least one, up to the sufficient one, and
-// the mean: a gain in one of both must not cost as much of the other. Boundaries that are far apart, in edges, have a price.
+// bad, or leaves out nothing of the body longer than an edge, or has the larger sum of the least one, up to the sufficient one,
+// and the mean: a gain in one of both must not cost as much of the other. Boundaries that are far apart, in edges, have a price.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge

@@ -62,9 +62,9 @@ private:
   }
 
   // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
-  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other; they alone while that
-  // untangles some and corners are so flat that they hold up all others. Rounds that do not halve the number of inverted corners are
-  // in vain; then vertices on lines may leave the lines.
+  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other. They alone move
+  // while that untangles some and corners are so flat that they hold up all others. Rounds that do not halve the number of
+  // inverted corners are in vain; then vertices on lines may leave the lines.
   void move_all()
   {
     constexpr int number_of_first_rounds = 3;                // a guess

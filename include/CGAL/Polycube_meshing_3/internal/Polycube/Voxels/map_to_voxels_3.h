@@ -161,8 +161,8 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   return result;
 }
 
-// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places. Splits have a price, since they
-// multiply the cells inside.
+// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places. Splits have a price, since
+// they multiply the cells inside.
 inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
