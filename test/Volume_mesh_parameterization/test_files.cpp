@@ -1039,6 +1039,7 @@ TEST_CASE("Each fault in a VTU file has a sentence")
         == "the attribute offset is '-1' instead of a number");
   CHECK(error("<Points>", "<Piece NumberOfPoints='0'><Points>")
         == "the mesh has several pieces: save it in ParaView as one piece, and use --merge-points");
+  CHECK(error("<Points>", std::string("<PointData\0>", 12) + "<DataArray Name='a'>1</DataArray></PointData><Points>") == "");
   CHECK(sentence([&]() { read_any("<?xml version=\"1.0\"?><VTKFile"); }) == "the file ends within a tag");
   std::string deep = "<?xml version=\"1.0\"?>";
   for(int i = 0; i < 100000; ++i)

@@ -126,6 +126,9 @@ private:
     std::string_view tag, content;
   };
 
+  // Unlike std::strchr(), does not find the character 0.
+  static bool is_one_of(const char c, const std::string_view characters) { return characters.find(c) != characters.npos; }
+
   // The value of an attribute, or what stands for it.
   static std::string attribute(const std::string_view tag, const std::string& name, const std::string& otherwise = "")
   {
@@ -133,7 +136,7 @@ private:
     {
       const std::string begin = name + "=" + quote;
       for(std::size_t i = tag.find(begin); i != tag.npos; i = tag.find(begin, i + 1))
-        if(i > 0 && std::strchr(" \t\r\n", tag[i - 1]) != nullptr)
+        if(i > 0 && is_one_of(tag[i - 1], " \t\r\n"))
           return std::string(tag.substr(i + begin.size(), tag.find(quote, i + begin.size()) - i - begin.size()));
     }
     return otherwise;
@@ -161,8 +164,7 @@ private:
 
   static bool begins(const std::string_view tag, const std::string_view name)
   {
-    return tag.substr(0, name.size()) == name
-      && (tag.size() == name.size() || std::strchr(" \t\r\n/", tag[name.size()]) != nullptr);
+    return tag.substr(0, name.size()) == name && (tag.size() == name.size() || is_one_of(tag[name.size()], " \t\r\n/"));
   }
 
   static bool is_section(const std::string_view tag)
