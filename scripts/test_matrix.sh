@@ -111,7 +111,7 @@ check_headers_with_cgal()
     sed 's/.*/#include <&>/') > "$unit"
   for standard in 17 20; do
     for deprecated in -UCGAL_NO_DEPRECATED_CODE -DCGAL_NO_DEPRECATED_CODE; do
-      "${CXX:-g++}" "-std=c++$standard" -fsyntax-only -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror "$deprecated" \
+      "${CXX:-g++}" "-std=c++$standard" -fsyntax-only -Wall -Wextra -Wshadow -Wconversion -Werror "$deprecated" \
         -DCGAL_EIGEN3_ENABLED -frounding-math -I "$root/include" -isystem "$cgal/include" -isystem /usr/include/eigen3 \
         "$unit" || return 1
     done
