@@ -3015,6 +3015,19 @@ TEST_CASE("A result that is not as asked for has a status and a sentence that he
   CHECK(folder.run("source.mesh --to box=1,1,3 --refine=none --max-angle-distortion 3 --hexahedra 0.5 h.mesh") == 1);
   CHECK(folder.names().count("h.mesh") == 1); // as the boundary is met
 
+  Soup angle = source; // a bar with an angle of 90 degrees
+  const auto is_in_angle = [&](const std::size_t v) { return source.points[v][0] >= 1 && source.points[v][1] >= 1; };
+  angle.cells.erase(std::remove_if(angle.cells.begin(), angle.cells.end(), [&](const auto& cell)
+                                   { return std::all_of(cell.begin(), cell.end(), is_in_angle); }), angle.cells.end());
+  angle.cell_references.resize(angle.cells.size());
+  folder.write("angle.mesh", angle);
+  const auto energy_of = [&](const std::string& bound, const int status)
+  {
+    CHECK(folder.run("angle.mesh --to cube --slide -o map.mesh --report report.json" + bound) == status);
+    return number(folder.text("report.json"), "energy_value");
+  };
+  CHECK(energy_of(" --max-angle-distortion 6", 1) <= 2 * energy_of("", 0));
+
   Soup mirror = source;
   for(Point& p : mirror.points)
     p[2] *= -1;

@@ -1408,6 +1408,11 @@ TEST_CASE("Vertices in a plane of the body normal to an axis have its coordinate
       }
   CHECK(numbers[0] >= 49);
   CHECK(numbers[1] == numbers[0]);
+
+  const double height = 0.1;
+  const VMP::internal::Body_surface_3 surface({ { 0, 0, height }, { 1, 0, height }, { 0, 1, height } }, { { 0, 1, 2 } }, {});
+  for(const double z : { std::nextafter(height, 0.), std::nextafter(height, 1.), height - 1e-9 })
+    CHECK(surface.without_rounding({ 0.3, 0.4, z })[2] == (std::abs(z - height) < 1e-12 ? height : z));
 }
 
 // Edges of one hexahedron are nearly as long as the body, and its boundary is never farther away.
