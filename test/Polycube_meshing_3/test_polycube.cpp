@@ -347,11 +347,11 @@ TEST_CASE("bodies side by side have faces in the same planes, bit by bit")
 TEST_CASE("a groove far below the spacing is flattened")
 {
   // two blocks and a plate between them, which is inset by 0.02
-  const auto place = [](const double x) { return x < 1 ? 0.02 * x : x > 5 ? 4.02 + 0.02 * (x - 5) : x - 0.98; };
+  const auto coordinate = [](const double x) { return x < 1 ? 0.02 * x : x > 5 ? 4.02 + 0.02 * (x - 5) : x - 0.98; };
   Labelled_complex complex(bricks({6, 6, 7}, [](const int x, const int y, const int z)
   {
     return z != 3 || (x > 0 && x < 5 && y > 0 && y < 5);
-  }, [&](const double x, const double y, const double z) { return in_place(place(x), place(y), z); }));
+  }, [&](const double x, const double y, const double z) { return in_place(coordinate(x), coordinate(y), z); }));
   REQUIRE(complex.parameterize(0.5) == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
   REQUIRE(complex.parameterize(0.05) == VMP::OK); // the groove is deeper than a part of the spacing

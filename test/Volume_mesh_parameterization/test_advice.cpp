@@ -13,6 +13,7 @@
 #include "cube_mesh.h"
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Eigen_solver_traits_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -131,7 +132,8 @@ Tetrahedron_soup_3 subdivided(const Tetrahedron_soup_3& soup)
   return result;
 }
 
-struct Failing_solver : VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double>
+// A factorization, which no other solver replaces.
+struct Failing_solver : VMP::Eigen_solver_traits_3<>
 {
   using Matrix = VMP::Block_sparse_matrix_3<double>;
   VMP::Linear_solver_status status;
