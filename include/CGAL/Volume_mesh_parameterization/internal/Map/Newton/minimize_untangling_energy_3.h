@@ -52,10 +52,10 @@ public:
   }
 
   // A small epsilon no longer changes what the energy is. The last few cells take long, if their number does not fall by half
-  // any more.
+  // any more: patches then need less time.
   bool is_stuck() const
   {
-    constexpr std::size_t patience = 15, patience_with_few = 8; // guesses; numbers of steps
+    constexpr std::size_t patience = 15, patience_with_few = 4; // guesses; numbers of steps
     constexpr double small_epsilon = 1e-6; // a guess
     return m_iterate.step_length == 0 || m_steps_without_progress >= (m_epsilon < small_epsilon ? patience : 2 * patience)
         || (m_fewest_inverted_cells <= m_few_cells && m_steps_without_half >= patience_with_few);

@@ -28,9 +28,9 @@ public:
   const Found_map_3& best() const { return m_best; }
 
   // Is there a proof that no map can mend the few cells that are still inverted?
-  bool is_in_vain(const Untangling_attempt_3& attempt) const
+  bool is_in_vain() const
   {
-    return is_unsolved() && m_best.map.number_of_inverted_cells <= attempt.few_cells && m_mesh.is_whole()
+    return is_unsolved() && m_best.map.number_of_inverted_cells <= few_inverted_cells && m_mesh.is_whole()
         && !prove_infeasibility_3(m_mesh, m_best.map.inverted_cells, m_progress.budget()).empty();
   }
 
@@ -64,7 +64,7 @@ public:
   void untangle(const Untangling_attempt_3& attempt, const Matrix3Xd& start)
   {
     const Matrix3Xd positions
-      = keep_better(attempt.name, [&] { return untangle_with_3(attempt, m_system, start, m_progress); });
+      = keep_better(attempt.name, [&] { return untangle_with_3(attempt, m_system, start, m_progress, few_inverted_cells); });
     if(is_unsolved())
       untangle_patches(positions, std::string(attempt.name) + ", patches");
   }
@@ -76,15 +76,15 @@ public:
       keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
   }
 
-  // Either patches of a map suffice, or the cells that stay inverted are jammed, and nothing to go on from. If cells are so
-  // flat that a minimization would hardly take a step, the search goes on, too: in thin parts, the harmonic map shrinks
-  // cells exponentially, and only the search over the whole mesh spreads them.
+  // Either patches of a map suffice, or no map can mend the few cells that stay inverted, or these are jammed, and nothing to
+  // go on from. If cells are so flat that a minimization would hardly take a step, the search goes on, too: in thin parts, the
+  // harmonic map shrinks cells exponentially, and only the search over the whole mesh spreads them.
   void begin_with_patches(const Matrix3Xd& map)
   {
     constexpr double flat_volume = 1e-12; // a guess; relative to the mean volume
     const Found_map_3 start = m_best;
     untangle_patches(map, "patches");
-    if(is_unsolved())
+    if(is_unsolved() && !is_in_vain())
       m_best = start;
     else if(m_best.status == OK && m_system.smallest_relative_volume(m_best.map.positions) < flat_volume)
       m_best.status = ERROR_NOT_FLIP_FREE;
@@ -119,16 +119,18 @@ private:
   std::size_t m_fewest_without_splits = (std::numeric_limits<std::size_t>::max)(); // inverted cells for which none were found
 };
 
-// Makes one attempt after the other, each from the start, until no cell is inverted. Where one leaves few cells, others of the
-// whole mesh mostly leave as many, so these are rather left to splits of edges, if these may be and are found.
+// Makes one attempt after the other, each from the start, until no cell is inverted, or all are in vain. Where one leaves few
+// cells, others mostly leave as many, so these are rather left to splits of edges, if these may be and are found.
 inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& mesh, const Matrix3Xd& start,
                             const bool may_split)
 {
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
+    if(search.is_in_vain())
+      break;
     if(search.is_unsolved())
       search.untangle(attempt, start);
-    if(search.is_in_vain(attempt) || (may_split && search.finds_splits(attempt.few_cells)))
+    if(may_split && search.finds_splits(few_inverted_cells))
       break;
   }
   if(may_split)

@@ -27,22 +27,21 @@ struct Untangling_attempt_3
   bool is_harmonic;        // from the harmonic extension with the reference cells, or from the images as they are?
   Reference_cells references;
   double theta;
-  std::size_t few_cells;   // inverted ones, that are left to patches and splits if they take long
   double solver_tolerance;
 };
 
-// Number of inverted cells that patches and splits mend in less time than steps of the whole mesh. A guess: with 3, 96
-// blocks with slivers took a fifth more steps, to the same energies in the mean.
-constexpr std::size_t few_inverted_cells = 20;
+// Number of inverted cells that patches and splits mend in less time than steps of the whole mesh. A guess: with 20, 40 maps
+// and blocks with slivers took half as much time again, and as many splits; with a hundredth of all cells, one took six times.
+constexpr std::size_t few_inverted_cells = 100;
 
 // They are tried in this order. Slivers of the source would stiffen the map, so regular cells of one size come first; a
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
 // theta must be small, so that parts that shrink a million times do not dominate the energy. A direction of higher precision
 // leads the whole mesh no further, as epsilon changes with each step.
 constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
-  {"regular cells, theta 20", false, Reference_cells::REGULAR, 20, few_inverted_cells, 0.3},
-  {"regular cells, theta 0.5", false, Reference_cells::REGULAR, 0.5, few_inverted_cells, 0.3},
-  {"cells of the source", false, Reference_cells::SOURCE, 0.01, few_inverted_cells, 0.3}
+  {"regular cells, theta 20", false, Reference_cells::REGULAR, 20, 0.3},
+  {"regular cells, theta 0.5", false, Reference_cells::REGULAR, 0.5, 0.3},
+  {"cells of the source", false, Reference_cells::SOURCE, 0.01, 0.3}
 }};
 
 // In a patch, which is small, from both starts, and with directions that are as good as may be.
@@ -53,7 +52,6 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
     for(Untangling_attempt_3 attempt : untangling_attempts)
     {
       attempt.is_harmonic = is_harmonic;
-      attempt.few_cells = 0;
       attempt.solver_tolerance = 1e-2;
       result.push_back(attempt);
     }
@@ -62,11 +60,11 @@ inline std::vector<Untangling_attempt_3> patch_attempts()
 
 // Makes an attempt from these images of all vertices; the system keeps its reference cells.
 inline Newton_result_3 untangle_with_3(const Untangling_attempt_3& attempt, Newton_system_3& system,
-                                       Matrix3Xd positions, Progress_3& progress)
+                                       Matrix3Xd positions, Progress_3& progress, const std::size_t few_cells = 0)
 {
   if(attempt.is_harmonic)
     harmonic_map_3(system, positions, progress, 1e-14, attempt.references);
-  Newton_result_3 result = minimize_untangling_energy_3(system, positions, attempt.theta, progress, attempt.few_cells,
+  Newton_result_3 result = minimize_untangling_energy_3(system, positions, attempt.theta, progress, few_cells,
                                                         attempt.solver_tolerance, attempt.references);
   result.positions = snapped(system.mesh(), result.positions);
   return result;
