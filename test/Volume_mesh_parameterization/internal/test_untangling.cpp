@@ -213,7 +213,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   start.col(0) = Vector3d(1.5, 0.5, 0.5);
   {
     Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-    Untangling_search_3 search(system, evaluated_map(mesh, start), progress);
+    Untangling_search_3 search(system, evaluated_map(mesh, start), progress, false);
     search.untangle(untangling_attempts[0], start);
     REQUIRE(search.is_unsolved());
     CHECK(search.is_in_vain());
@@ -223,7 +223,7 @@ TEST_CASE("Further attempts are in vain where few cells are left and a proof tel
   start.col(0) = Vector3d(5, 0, 0);
   REQUIRE(number_of_inverted_cells(mesh, start) > 0);
   Newton_system_3 system(mesh, free_vertices(mesh), linear_solver);
-  CHECK(!Untangling_search_3(system, evaluated_map(mesh, start), progress).is_in_vain());
+  CHECK(!Untangling_search_3(system, evaluated_map(mesh, start), progress, false).is_in_vain());
 }
 
 namespace {
@@ -248,7 +248,7 @@ Numbered_mesh_3 tangled_cube(const bool has_few_inverted_cells)
 struct Attempts
 {
   std::set<std::string> at_whole_mesh;
-  std::size_t number_at_splits = 0;
+  std::size_t number_at_patches = 0, number_at_splits = 0;
   VMP::internal::Found_map_3 found;
 };
 
@@ -264,6 +264,7 @@ Attempts attempts_at(const Numbered_mesh_3& mesh, const Matrix3Xd& start, const 
   {
     if(step.kind == VMP::Step_kind::NEWTON)
       result.at_whole_mesh.insert(step.attempt);
+    result.number_at_patches += step.kind == VMP::Step_kind::PATCH;
     result.number_at_splits += step.kind == VMP::Step_kind::SPLIT;
     return true;
   });
@@ -274,7 +275,7 @@ Attempts attempts_at(const Numbered_mesh_3& mesh, const Matrix3Xd& start, const 
 
 } // namespace
 
-TEST_CASE("Few cells that no map can mend are left to splits at once, where these are allowed")
+TEST_CASE("Few cells that no map can mend are left to splits at once; patches grow where these are not allowed")
 {
   const Numbered_mesh_3 mesh = prism_to_U();
   Matrix3Xd start = mesh.target;
@@ -283,6 +284,7 @@ TEST_CASE("Few cells that no map can mend are left to splits at once, where thes
   {
     const Attempts attempts = attempts_at(mesh, start, may_split);
     CHECK(attempts.at_whole_mesh.empty());
+    CHECK(attempts.number_at_patches == (may_split ? 2 : 4)); // of as many rings
     CHECK(attempts.found.is_stuck() == may_split);
     CHECK(attempts.found.splits.edges.empty() == !may_split);
   }

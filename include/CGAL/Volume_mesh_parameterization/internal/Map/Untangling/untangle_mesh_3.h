@@ -21,8 +21,9 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Untangling_search_3
 {
 public:
-  Untangling_search_3(Newton_system_3& system, Map_3 start, Progress_3& progress)
-    : m_mesh(system.mesh()), m_system(system), m_progress(progress)
+  // Splits make room for the last inverted cells in less time than large patches do, if edges may be split.
+  Untangling_search_3(Newton_system_3& system, Map_3 start, Progress_3& progress, const bool may_split)
+    : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_number_of_rings(may_split ? 2 : 4)
   { m_best.map = std::move(start); }
 
   const Found_map_3& best() const { return m_best; }
@@ -73,12 +74,11 @@ public:
   void untangle_patches(const Matrix3Xd& start, const std::string& method)
   {
     if(inverted_cells(m_mesh, start).number <= maximum_number_of_exceptions(m_mesh.global_number_of_cells()))
-      keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress); });
+      keep_better(method, [&] { return untangle_patches_3(m_mesh, m_system.solver(), start, m_progress, m_number_of_rings); });
   }
 
-  // Either patches of a map suffice, or no map can mend the few cells that stay inverted, or these are jammed, and nothing to
-  // go on from. If cells are so flat that a minimization would hardly take a step, the search goes on, too: in thin parts, the
-  // harmonic map shrinks cells exponentially, and only the search over the whole mesh spreads them.
+  // Either patches of a map suffice, or no map can mend the cells that stay inverted, or these are jammed, and nothing to go on
+  // from. The search also goes on if cells are too flat to minimize: the harmonic map shrinks thin parts exponentially.
   void begin_with_patches(const Matrix3Xd& map)
   {
     constexpr double flat_volume = 1e-12; // a guess; relative to the mean volume
@@ -115,6 +115,7 @@ private:
   const Numbered_mesh_3& m_mesh;
   Newton_system_3& m_system;
   Progress_3& m_progress;
+  int m_number_of_rings; // of the largest patches; a guess
   Found_map_3 m_best;
   std::size_t m_fewest_without_splits = (std::numeric_limits<std::size_t>::max)(); // inverted cells for which none were found
 };
@@ -141,7 +142,7 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
 inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, const Matrix3Xd& regular_start,
                                   const bool may_split, Progress_3& progress)
 {
-  Untangling_search_3 search(system, start, progress);
+  Untangling_search_3 search(system, start, progress, may_split);
   search.begin_with_patches(regular_start);
   make_attempts_3(search, system.mesh(), start.positions, may_split);
   return search.finish(progress.number_of_steps() > 0);
@@ -151,7 +152,7 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
 inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, const bool may_split,
                                          Progress_3& progress)
 {
-  Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress);
+  Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress, may_split);
   search.untangle_patches(start, "patches");
   make_attempts_3(search, system.mesh(), Matrix3Xd(search.best().map.positions), may_split);
   return search.finish(true);

@@ -102,8 +102,7 @@ inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3
     if(fewest == 0 || budget.is_exhausted())
       break;
     const Matrix3Xd found = untangle_patch_with_3(attempt, system, start, budget);
-    const std::size_t number = inverted_cells(patch, found).number;
-    if(number < fewest)
+    if(const std::size_t number = inverted_cells(patch, found).number; number < fewest)
     {
       fewest = number;
       best = found;
@@ -114,11 +113,11 @@ inline Matrix3Xd untangled_patch_3(const Numbered_mesh_3& patch, Linear_solver_3
 
 // Untangles where cells are inverted: these with a ring of neighbors, then with two, each connected part as a problem of
 // its own in which all other vertices are prescribed where they are. Small problems get past what stops the whole, in
-// thousandths of a second. A step is a patch.
+// thousandths of a second. More rings give room to the last cells, and take long. A step is a patch.
 inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver,
-                                          const Matrix3Xd& start, Progress_3& progress)
+                                          const Matrix3Xd& start, Progress_3& progress, const int maximum_number_of_rings = 2)
 {
-  constexpr int maximum_number_of_rings = 2; // a guess
+  constexpr std::size_t number_of_last_cells = 20; // a guess
   const auto is_inverted = [](const Matrix3Xd& positions, const std::array<int, 4>& cell)
   { return !is_positive(positions, cell); };
   progress.end_start();
@@ -141,7 +140,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
     if(after < before)
       p.write(positions);
   };
-  for(int rings = 1; rings <= maximum_number_of_rings && number > 0; ++rings)
+  for(int rings = 1; number > 0 && rings <= (number > number_of_last_cells ? 2 : maximum_number_of_rings); ++rings)
   {
     const std::vector<Patch_3> patches = patches_3(neighborhood.mesh(), positions, is_inverted, rings);
     for(auto patch = patches.rbegin(); patch != patches.rend() && progress.may_continue(); ++patch)
