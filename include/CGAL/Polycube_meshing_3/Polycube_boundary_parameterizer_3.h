@@ -110,7 +110,7 @@ the boundary, edges with more than 60 degrees between the normals on both sides 
 <b>Labels</b>. If no labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}.
 Lines along sharp edges cost nothing. Charts that no polycube can have get other labels, at the lowest cost. Of the polycubes
 found for several weights, the one whose harmonic maps have the least distortion is taken. Its distortion is the mean square
-of the logarithms of the singular values. If its map is not valid, the next polycube is tried. If the polycube is bad, large faces
+of the logarithms of the singular values. If its map is not valid, the next polycube is tried. If this polycube is bad, large faces
 that are oblique to the axes get their second direction, one after the other.
 
 <b>Narrow charts</b>. With a spacing, charts narrower than 0.3 times the spacing are flattened: their facets get the labels of the

@@ -48,7 +48,8 @@ public:
          other.map.status == OK && distortion_3(m_mesh, other.map.images) < distortion_3(m_mesh, best.map.images)
          && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
-    turn_slopes(costs, best);
+    if(best.map.status == OK)
+      turn_slopes(costs, best);
     return std::move(best.map);
   }
 
