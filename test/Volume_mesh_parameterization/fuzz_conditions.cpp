@@ -252,7 +252,7 @@ private:
     const auto condition = [&](const std::size_t v) { return v < m_conditions.size() ? m_conditions[v] : Condition(); };
     const auto np = params::energy(m_energy)
       .vertex_condition_map(boost::make_function_property_map<std::size_t>(condition))
-      .boundary_mode(m_mode).number_of_iterations(m_number_of_iterations).maximum_running_time(20);
+      .boundary_mode(m_mode).number_of_iterations(m_number_of_iterations).maximum_running_time(5);
     Mapped<NT> mapped;
     mapped.soup = m_soup;
     const VMP::Tetrahedron_soup_3& constant = m_soup;
