@@ -48,7 +48,7 @@ public:
          other.map.status == OK && distortion_3(m_mesh, other.map.images) < distortion_3(m_mesh, best.map.images)
          && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
-    if(best.map.status == OK)
+    if(best.map.status == OK || m_surface.spacing > 0) // hexahedra are worth a search where no labels have a polycube
       turn_slopes(costs, best);
     return std::move(best.map);
   }
