@@ -16,7 +16,7 @@ part_of()
     case $header in
       internal/Polycube/* | Polycube_*.h) REPLY=Polycube ;;
       internal/Hexahedra/* | Hexahedr*.h | make_hexahedral_mesh_3.h) REPLY=Hexahedra ;;
-      internal/compiled_engine.h) REPLY=compiled_engine ;;
+      internal/basic.h) REPLY=basic ;;
       IO/*) REPLY=IO_of_hexahedra ;;
       *) REPLY="no part" ;;
     esac
@@ -48,7 +48,8 @@ parts_below()
     Boundary | Evaluation) REPLY="Map Energies Solvers Support" ;;
     entry | IO) REPLY="Boundary Evaluation Map Energies Solvers Support" ;;
     Distributed) REPLY="IO Boundary Evaluation Map Energies Solvers Support" ;;
-    Polycube | Hexahedra) REPLY="compiled_engine Boundary Evaluation Map Energies Solvers Support" ;;
+    basic) REPLY="Support" ;;
+    Polycube | Hexahedra) REPLY="basic Boundary Evaluation Map Energies Solvers Support" ;;
     IO_of_hexahedra) REPLY="Hexahedra IO Boundary Evaluation Map Energies Solvers Support" ;;
   esac
 }

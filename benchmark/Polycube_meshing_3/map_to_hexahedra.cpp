@@ -44,6 +44,7 @@ using Triangles = std::vector<std::array<std::size_t, 3> >;
 
 namespace PMP = CGAL::Polygon_mesh_processing;
 namespace params = CGAL::parameters;
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 std::vector<Point_3> points_of(const std::vector<std::array<double, 3> >& coordinates)
@@ -67,7 +68,7 @@ Triangles boundary(const VMP::Tetrahedron_soup_3& mesh)
   return VMP::internal::boundary_facets_3(mesh.cells);
 }
 
-Triangles boundary(const VMP::Hexahedron_soup_3& mesh)
+Triangles boundary(const PM::Hexahedron_soup_3& mesh)
 {
   Triangles result;
   for(const auto& [a, b, c, d] : mesh.facets)
@@ -80,7 +81,7 @@ Triangles boundary(const VMP::Hexahedron_soup_3& mesh)
 
 // Returns the part of the sharp edges of the body, by length, whose quarters have their middles within a tenth of the spacing of
 // edges of quadrangles; 1 if there are none.
-double part_of_sharp_edges(const VMP::Tetrahedron_soup_3& soup, const VMP::Hexahedron_soup_3& mesh, const double spacing)
+double part_of_sharp_edges(const VMP::Tetrahedron_soup_3& soup, const PM::Hexahedron_soup_3& mesh, const double spacing)
 {
   std::vector<K::Segment_3> edges;
   const std::vector<Point_3> ends = points_of(mesh.points), points = points_of(soup.points);
@@ -105,7 +106,7 @@ VMP::Error_code map_boundary(const C3t3& c3t3, const std::string& domain, const 
 {
   const auto target_map = VMP::make_vertex_point_map(target);
   if(domain == "cube") return VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
-  if(domain == "polycube") return VMP::Polycube_boundary_parameterizer_3(spacing).parameterize(c3t3, target_map);
+  if(domain == "polycube") return PM::Polycube_boundary_parameterizer_3(spacing).parameterize(c3t3, target_map);
   throw std::runtime_error("there is no domain '" + domain + "'");
 }
 
@@ -141,10 +142,10 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   }
 
   std::cout << "boundary_distortion: " << map.boundary_distortion << std::endl;
-  VMP::Hexahedron_soup_3 mesh;
+  PM::Hexahedron_soup_3 mesh;
   CGAL::Real_timer timer;
   timer.start();
-  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
+  const PM::Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
     c3t3, VMP::make_vertex_point_map(uvw), spacing, mesh);
   timer.stop();
   std::cout << "status: " << (result.status == VMP::OK ? "OK" : result.message)
@@ -163,7 +164,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   if(result.status == VMP::OK && !output.empty())
   {
     std::ofstream out(output);
-    VMP::IO::write_MEDIT(out, mesh);
+    PM::IO::write_MEDIT(out, mesh);
   }
 }
 

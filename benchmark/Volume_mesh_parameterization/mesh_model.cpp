@@ -43,6 +43,7 @@ using Vertex_handle = C3t3::Vertex_handle;
 using Targets = std::unordered_map<Vertex_handle, Point_3>;
 
 namespace params = CGAL::parameters;
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 double diagonal(const CGAL::Bbox_3& box)
@@ -91,7 +92,7 @@ VMP::Error_code map_boundary(const std::string& domain, const C3t3& c3t3, const 
   if(domain == "twist") return twist_boundary(c3t3, box, targets);
   if(domain == "ball") return VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, target_map);
   if(domain == "cube") return VMP::Cube_boundary_parameterizer_3().parameterize(c3t3, target_map);
-  if(domain == "polycube") return VMP::Polycube_boundary_parameterizer_3().parameterize(c3t3, target_map);
+  if(domain == "polycube") return PM::Polycube_boundary_parameterizer_3().parameterize(c3t3, target_map);
   throw std::runtime_error("there is no domain '" + domain + "'");
 }
 

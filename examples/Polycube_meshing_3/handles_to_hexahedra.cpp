@@ -10,6 +10,7 @@
 #include <CGAL/make_mesh_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <fstream>
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 using namespace CGAL::parameters;
 using Domain = CGAL::Polyhedral_mesh_domain_with_features_3<CGAL::Epick, CGAL::Surface_mesh<CGAL::Epick::Point_3> >;
@@ -24,10 +25,10 @@ int main()
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, manifold(), no_perturb(), no_exude());
   std::unordered_map<C3t3::Vertex_handle, CGAL::Epick::Point_3> uvw;
   const auto map = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw),
-    boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(0.05))
+    boundary_parameterizer(PM::Polycube_boundary_parameterizer_3(0.05))
     .refinement_mode(VMP::Refinement_mode::BOUNDARY));
-  VMP::Hexahedron_soup_3 hexahedra;
-  const auto result = VMP::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
+  PM::Hexahedron_soup_3 hexahedra;
+  const auto result = PM::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
   std::cout << map.message << " " << result.message << " " << hexahedra.cells.size() << " hexahedra" << std::endl;
-  return VMP::IO::write_VTU("hexahedra_of_handles.vtu", hexahedra) && result.status == VMP::OK ? 0 : 1;
+  return PM::IO::write_VTU("hexahedra_of_handles.vtu", hexahedra) && result.status == VMP::OK ? 0 : 1;
 }

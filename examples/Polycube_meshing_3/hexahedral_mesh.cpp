@@ -16,6 +16,7 @@
 #include <string>
 #include <unordered_map>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
@@ -39,7 +40,7 @@ int main(int argc, char* argv[])
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result map = CGAL::stretch_minimizing_volume_parameterization(
     c3t3, uvw_map,
-    CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+    CGAL::parameters::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3(spacing))
                      .refinement_mode(VMP::Refinement_mode::BOUNDARY));
   if(map.status != VMP::OK)
   {
@@ -48,8 +49,8 @@ int main(int argc, char* argv[])
   }
 
   // and back
-  VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(c3t3, uvw_map, spacing, hexahedra);
+  PM::Hexahedron_soup_3 hexahedra;
+  const PM::Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(c3t3, uvw_map, spacing, hexahedra);
   std::cout << result.message << "\n"
             << result.number_of_cells << " hexahedra, " << result.number_of_vertices << " vertices\n"
             << "scaled Jacobian: minimal " << result.minimum_scaled_jacobian
@@ -58,7 +59,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
 
   const bool is_written = (std::filesystem::path(output_filename).extension() == ".inp")
-                        ? VMP::IO::write_INP(output_filename, hexahedra)
-                        : VMP::IO::write_VTU(output_filename, hexahedra);
+                        ? PM::IO::write_INP(output_filename, hexahedra)
+                        : PM::IO::write_VTU(output_filename, hexahedra);
   return is_written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

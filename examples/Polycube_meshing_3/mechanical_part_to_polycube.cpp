@@ -10,6 +10,7 @@
 #include <string>
 #include <unordered_map>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 int main(int argc, char* argv[])
@@ -28,7 +29,7 @@ int main(int argc, char* argv[])
   std::unordered_map<C3t3::Vertex_handle, Point_3> uvw;
   const auto uvw_map = VMP::make_vertex_point_map(uvw);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3())
+    c3t3, uvw_map, CGAL::parameters::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3())
                                     .refinement_mode(VMP::Refinement_mode::BOUNDARY)); // edges of the boundary may be split
   std::cout << result.message << "\n"
             << result.number_of_cells << " cells, " << result.number_of_added_vertices << " vertices added\n"

@@ -11,6 +11,7 @@
 
 int main()
 {
+  namespace PM = CGAL::Polycube_meshing_3;
   namespace VMP = CGAL::Volume_mesh_parameterization;
   std::vector<std::array<double, 3> > points, images;
   std::vector<std::array<int, 4> > cells;
@@ -27,11 +28,11 @@ int main()
     return result.status == VMP::OK;
   };
   if(!map_to(VMP::Ball_boundary_parameterizer_3()) || !map_to(VMP::Cube_boundary_parameterizer_3())
-     || !map_to(VMP::Polycube_boundary_parameterizer_3(0.5)))
+     || !map_to(PM::Polycube_boundary_parameterizer_3(0.5)))
     return 1;
 
-  VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(points, cells, images, 0.5, hexahedra);
+  PM::Hexahedron_soup_3 hexahedra;
+  const PM::Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(points, cells, images, 0.5, hexahedra);
   std::cout << "(1, 1, 0.5) goes to " << VMP::Volume_map_3(points, cells, images).image({ 1, 1, 0.5 })->point << std::endl
             << hexahedra.cells.size() << " hexahedra, scaled Jacobian from " << result.minimum_scaled_jacobian << std::endl;
   return result.status == VMP::OK ? 0 : 1;

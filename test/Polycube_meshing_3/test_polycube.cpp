@@ -41,6 +41,7 @@
 #include <utility>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -52,7 +53,7 @@ using Vertex_handle = C3t3::Vertex_handle;
 using Cell_handle = C3t3::Cell_handle;
 using Facet = C3t3::Facet;
 using Brick = std::array<int, 3>;
-using Polycube = VMP::Polycube_boundary_parameterizer_3;
+using Polycube = PM::Polycube_boundary_parameterizer_3;
 
 namespace {
 
@@ -471,7 +472,7 @@ TEST_CASE("a body with handles that has no other polycube is mapped to a box wit
 
 TEST_CASE("lines of a box run apart from each other along a thin tube, where they have crossed each other")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   constexpr int around = 6, along = 48;
   std::mt19937 engine(GENERATE(range(0, 6)));
   Boundary_mesh_3 mesh;
@@ -508,7 +509,7 @@ TEST_CASE("lines of a box run apart from each other along a thin tube, where the
 
 TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too coarse")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const int holes = GENERATE(1, 2, 3, 4);
   const VMP::Tetrahedron_soup_3 soup = bricks({2 * holes + 1, 3, 1}, [](const int x, const int y, int)
   { return x % 2 == 0 || y != 1; }, bend);
@@ -571,11 +572,11 @@ double volume_of(const VMP::Tetrahedron_soup_3& soup)
 
 // Voxels of the solid bricks, two voxels along each side of a brick.
 template <typename IsSolid>
-VMP::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
+PM::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
 {
   const VMP::Tetrahedron_soup_3 soup = bricks(size, is_solid, in_place);
   const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
-  return VMP::internal::voxels_of_surface_3(surface.points, surface.facets, 0.5, {0, 0, 0}, 0.5);
+  return PM::internal::voxels_of_surface_3(surface.points, surface.facets, 0.5, {0, 0, 0}, 0.5);
 }
 
 } // namespace
@@ -602,10 +603,10 @@ TEST_CASE("a body with a cavity and without a polycube is told to have several b
 TEST_CASE("labels that are found are told, and lead to the same labels again")
 {
   const VMP::Tetrahedron_soup_3 soup = bricks(size, is_ring, in_place);
-  const Polycube polycube(0, VMP::Polycube_axes::GIVEN);
+  const Polycube polycube(0, PM::Polycube_axes::GIVEN);
   std::vector<std::array<double, 3> > targets;
   REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
-  const VMP::Polycube_result& result = polycube.result();
+  const PM::Polycube_result& result = polycube.result();
   REQUIRE(result.labels.size() == soup.cells.size());
   std::size_t number = 0;
   std::set<std::size_t> all;
@@ -628,7 +629,7 @@ TEST_CASE("labels that are found are told, and lead to the same labels again")
   CHECK(all == std::set<std::size_t>{0, 1, 2, 3, 4, 5});
   const auto labels = result.labels;
   for(const auto& of_cell : labels)
-    number += std::count(of_cell.begin(), of_cell.end(), VMP::Polycube_result::no_label);
+    number += std::count(of_cell.begin(), of_cell.end(), PM::Polycube_result::no_label);
   CHECK(number == 4 * labels.size());
   REQUIRE(polycube.parameterize(soup.points, soup.cells, labels, targets) == VMP::OK);
   CHECK(result.labels == labels);
@@ -685,7 +686,7 @@ TEST_CASE("a search for polycubes of voxels can be ended anywhere, with nothing 
 
 TEST_CASE("voxels have the topology of their body")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const auto is_plate = [](const int x, const int y, int) { return x % 2 == 0 || y != 1; };
   const int holes = GENERATE(0, 1, 2, 3);
   Voxels_3 voxels = voxels_of({2 * holes + 1, 3, 1}, is_plate);
@@ -699,7 +700,7 @@ TEST_CASE("voxels have the topology of their body")
 
 TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const int z = GENERATE(0, 1); // of the second brick
   const auto are_two = [&](const int x, const int y, const int k)
   { return (x == 0 && y == 0 && k == 0) || (x == 1 && y == 1 && k == z); };
@@ -711,7 +712,7 @@ TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
 
 TEST_CASE("a cut between two parts of a border is no border of the voxels")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   // a block with a notch in front, above: its top and its front meet on both sides of the notch
   const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
   const Voxel_faces_3 faces(voxels);
@@ -734,7 +735,7 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
 
 TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   Split_surface_3 square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const auto length = [](const Eigen::Vector3d& p) { return p.x() < 0.4 ? 0.05 : 10.; };
   square.split_long_edges(length);
@@ -754,7 +755,7 @@ TEST_CASE("edges of a surface are split where short ones are asked for, with no 
 
 TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders of charts")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const VMP::Tetrahedron_soup_3 box = bricks({3, 2, 2}, is_box, in_place);
   const Numbered_surface_3 surface = surface_of(body_of(box));
   Split_surface_3 split = {surface.points, surface.facets};
@@ -788,7 +789,7 @@ TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders
 
 TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const VMP::Tetrahedron_soup_3 ring = bricks(size, is_ring, bend);
   const Numbered_surface_3 surface = surface_of(body_of(ring));
   Boundary_mesh_3 mesh;
@@ -817,7 +818,7 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
 
 TEST_CASE("coordinates are the closest ones to means that keep their order and a gap")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const std::vector<Order_of_coordinates> orders = {{0, 1, 1}, {1, 2, 1}, {2, 3, 1}};
   const auto coordinates = ordered_coordinates_3({1, 2, 1, 4}, {0, 6, 1, 40}, orders, {}, 0); // means 0, 3, 1, 10
   REQUIRE(coordinates);
@@ -832,7 +833,7 @@ TEST_CASE("meridians bound discs, and cut all handles")
   // a plate with three holes
   const auto is_plate = [](const int x, const int y, int) { return x % 4 < 2 || y < 2 || y > 2; };
   const VMP::Tetrahedron_soup_3 soup = bricks({13, 5, 3}, is_plate, in_place);
-  VMP::internal::Meridians_3 meridians(soup.cells);
+  PM::internal::Meridians_3 meridians(soup.cells);
   const auto loops = meridians.loops(3, 0, VMP::internal::Budget());
   REQUIRE(loops.size() == 3);
   using Edge = std::pair<std::size_t, std::size_t>;
@@ -1015,19 +1016,19 @@ TEST_CASE("features that are given up are told as polylines, the longest one fir
   std::vector<std::array<double, 3> > targets;
   const Polycube polycube(1);
   REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
-  const VMP::Polycube_result& result = polycube.result();
+  const PM::Polycube_result& result = polycube.result();
   CHECK(result.number_of_sharp_edges == 6);
   CHECK(result.number_of_edges_given_up() == 4);
   REQUIRE(result.features_given_up.size() == 2);
-  VMP::Polycube_result::Polyline longest = result.features_given_up[0];
+  PM::Polycube_result::Polyline longest = result.features_given_up[0];
   std::sort(longest.begin(), longest.end());
-  CHECK(longest == VMP::Polycube_result::Polyline{ { 1, 0, 2 }, { 2, 1, 2 }, { 3, 2, 2 }, { 4, 3, 2 } });
+  CHECK(longest == PM::Polycube_result::Polyline{ { 1, 0, 2 }, { 2, 1, 2 }, { 3, 2, 2 }, { 4, 3, 2 } });
   CHECK(result.features_given_up[1].size() == 2);
 }
 
 TEST_CASE("where a line between charts leads back behind its corner, another chart is extended to the turn")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   // the cube [0, 4]^3, whose top will be so steep that it is low at y = 0
   Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
   Boundary_mesh_3 mesh;
@@ -1054,7 +1055,7 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
 
 TEST_CASE("a plane that two directions suit equally gets one label, that of most of it")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   // the cube [0, 4]^3, whose top will be z = 1 + y up to what rounding may be
   Soup_surface surface(bricks({4, 4, 4}, is_box, in_place));
   std::vector<bool> is_on_top;
@@ -1100,7 +1101,7 @@ TEST_CASE("a polycube has the lengths of the body, not those of its shadow, also
   for(const double spacing : { 0., 0.5 })
   {
     std::vector<std::array<double, 3> > image;
-    REQUIRE(Polycube(spacing, VMP::Polycube_axes::GIVEN).parameterize(soup.points, soup.cells, image) == VMP::OK);
+    REQUIRE(Polycube(spacing, PM::Polycube_axes::GIVEN).parameterize(soup.points, soup.cells, image) == VMP::OK);
     Eigen::AlignedBox3d box;
     for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
       box.extend(Eigen::Vector3d(image[v].data()));
@@ -1126,7 +1127,7 @@ struct Turned_body
 {
   VMP::Tetrahedron_soup_3 soup;
   std::vector<std::array<double, 3> > image;
-  VMP::Polycube_result result; // of the polycube
+  PM::Polycube_result result; // of the polycube
 
   template <typename IsSolid, typename Move>
   Turned_body(const IsSolid& is_solid, const Move& move, const Eigen::Matrix3d& turn)
@@ -1138,7 +1139,7 @@ struct Turned_body
       }))
   {}
 
-  VMP::Error_code parameterize(const VMP::Polycube_axes axes, const double spacing = 0)
+  VMP::Error_code parameterize(const PM::Polycube_axes axes, const double spacing = 0)
   {
     const Polycube polycube(spacing, axes);
     const VMP::Error_code status = polycube.parameterize(soup.points, soup.cells, image);
@@ -1184,7 +1185,7 @@ void check_turned(const IsSolid& is_solid)
   for(const Eigen::Matrix3d& turn : turns())
   {
     Turned_body body(is_solid, in_place, turn);
-    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    REQUIRE(body.parameterize(PM::Polycube_axes::FOUND) == VMP::OK);
     Eigen::AlignedBox3d box;
     for(std::size_t v = 0; v < body.soup.points.size(); ++v)
       box.extend(body.point(v));
@@ -1195,7 +1196,7 @@ void check_turned(const IsSolid& is_solid)
     CHECK(largest < 1e-5); // the polycube is the body itself, turned as is told
     const Eigen::Matrix3d symmetry = body.told() * turn;
     CHECK((symmetry - symmetry.array().round().matrix()).norm() < 1e-5);
-    if(body.parameterize(VMP::Polycube_axes::GIVEN) == VMP::OK)
+    if(body.parameterize(PM::Polycube_axes::GIVEN) == VMP::OK)
       CHECK(body.told() == Eigen::Matrix3d::Identity());
   }
 }
@@ -1210,11 +1211,11 @@ TEST_CASE("a turned polycube is mapped to itself, and by which rotation is told"
 TEST_CASE("a bent body has about the same polycube in each position")
 {
   Turned_body as_drawn(is_ring, bend, Eigen::Matrix3d::Identity());
-  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+  REQUIRE(as_drawn.parameterize(PM::Polycube_axes::FOUND) == VMP::OK);
   for(const Eigen::Matrix3d& turn : turns())
   {
     Turned_body body(is_ring, bend, turn);
-    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    REQUIRE(body.parameterize(PM::Polycube_axes::FOUND) == VMP::OK);
     CHECK(body.distortion() == Approx(as_drawn.distortion()).epsilon(0.05));
   }
 }
@@ -1223,15 +1224,15 @@ TEST_CASE("a body has the same faces as multiples of a spacing in each position 
 {
   const double spacing = 1.3; // no length of the body is a multiple
   Turned_body as_drawn(is_bracket, in_place, Eigen::Matrix3d::Identity());
-  REQUIRE(as_drawn.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+  REQUIRE(as_drawn.parameterize(PM::Polycube_axes::FOUND, spacing) == VMP::OK);
   for(const Eigen::Matrix3d& turn : turns())
   {
     Turned_body turned(is_bracket, in_place, turn);
-    REQUIRE(turned.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    REQUIRE(turned.parameterize(PM::Polycube_axes::FOUND, spacing) == VMP::OK);
     CHECK(turned.distortion() == Approx(as_drawn.distortion()).epsilon(1e-3));
     Turned_body moved(is_bracket, [&](const double x, const double y, const double z)
                       { return in_place(x + turn(0, 1), y + turn(1, 2), z + turn(2, 0)); }, Eigen::Matrix3d::Identity());
-    REQUIRE(moved.parameterize(VMP::Polycube_axes::FOUND, spacing) == VMP::OK);
+    REQUIRE(moved.parameterize(PM::Polycube_axes::FOUND, spacing) == VMP::OK);
     CHECK(moved.distortion() == Approx(as_drawn.distortion()).epsilon(1e-9));
   }
 }
@@ -1246,7 +1247,7 @@ TEST_CASE("lengths are rounded to multiples of the spacing, not the places of fa
     return (*high)[0] - (*low)[0];
   };
   Turned_body body(is_box, between, Eigen::Matrix3d::Identity());
-  for(const VMP::Polycube_axes axes : { VMP::Polycube_axes::GIVEN, VMP::Polycube_axes::FOUND })
+  for(const PM::Polycube_axes axes : { PM::Polycube_axes::GIVEN, PM::Polycube_axes::FOUND })
   {
     REQUIRE(body.parameterize(axes, 1) == VMP::OK);
     CHECK(width(body) == 3);
@@ -1274,7 +1275,7 @@ TEST_CASE("integers are moved by the best shift")
     double least = 1;
     for(int k = 0; k < 1000; ++k)
       least = (std::min)(least, sum(k / 1000.));
-    const double shift = VMP::internal::closest_shift_of_integers(weights, x);
+    const double shift = PM::internal::closest_shift_of_integers(weights, x);
     CHECK(std::abs(shift) <= 0.5);
     CHECK(sum(shift) < least + 0.01); // a larger extent is worth as much
   }
@@ -1285,7 +1286,7 @@ TEST_CASE("the order of vertices and cells does not decide about a polycube")
   const auto uneven = [](const double x, const double y, const double z) // so that no two vertices are equally far from the center
   { return bend(x + 0.1 * std::sin(7 * y + 3 * z), y + 0.1 * std::sin(5 * z + 2 * x), z + 0.1 * std::sin(4 * x + 6 * y)); };
   Turned_body body(is_stair, uneven, Eigen::Matrix3d::Identity());
-  REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+  REQUIRE(body.parameterize(PM::Polycube_axes::FOUND, 0.5) == VMP::OK);
   std::mt19937 random(1);
   for(int i = 0; i < 3; ++i)
   {
@@ -1299,7 +1300,7 @@ TEST_CASE("the order of vertices and cells does not decide about a polycube")
       for(std::size_t& v : cell)
         v = new_index[v];
     std::shuffle(shuffled.soup.cells.begin(), shuffled.soup.cells.end(), random);
-    REQUIRE(shuffled.parameterize(VMP::Polycube_axes::FOUND, 0.5) == VMP::OK);
+    REQUIRE(shuffled.parameterize(PM::Polycube_axes::FOUND, 0.5) == VMP::OK);
     double largest = 0;
     for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
       largest = (std::max)(largest, (shuffled.image_of(new_index[v]) - body.image_of(v)).norm());
@@ -1312,9 +1313,9 @@ TEST_CASE("a body that lies well is not turned, and its polycube is the same, bi
   const auto check = [](const auto& move)
   {
     Turned_body body(is_bracket, move, Eigen::Matrix3d::Identity());
-    REQUIRE(body.parameterize(VMP::Polycube_axes::GIVEN) == VMP::OK);
+    REQUIRE(body.parameterize(PM::Polycube_axes::GIVEN) == VMP::OK);
     const auto given = body.image;
-    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    REQUIRE(body.parameterize(PM::Polycube_axes::FOUND) == VMP::OK);
     CHECK(body.told() == Eigen::Matrix3d::Identity());
     for(const std::size_t v : VMP::boundary_vertices(body.soup.points, body.soup.cells))
       CHECK(body.image[v] == given[v]);
@@ -1346,7 +1347,7 @@ TEST_CASE("a ball, which has no directions, has a polycube")
   for(const Eigen::Matrix3d& turn : turns())
   {
     Turned_body body(is_box, ball, turn);
-    REQUIRE(body.parameterize(VMP::Polycube_axes::FOUND) == VMP::OK);
+    REQUIRE(body.parameterize(PM::Polycube_axes::FOUND) == VMP::OK);
     CHECK(body.distortion() < 0.5);
   }
 }
@@ -1403,7 +1404,7 @@ TEST_CASE("a face of a polycube has no handle, although a cube on it would turn 
 
 TEST_CASE("no other coordinates of the faces of a polycube have less distortion, and it has no less volume than the body")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   const Soup_surface straight(bricks(size, is_stair, in_place)), surface(bricks(size, is_stair, bend));
   Unit_surface_3 unit;
   Boundary_mesh_3& mesh = unit.mesh;
@@ -1449,7 +1450,7 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
 
 TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the face on average")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   Soup_surface surface(bricks({8, 8, 1}, [](const int x, const int y, int) { return x / 2 != 2 || y / 2 != 2; }, in_place));
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
@@ -1485,7 +1486,7 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
 
 TEST_CASE("polygons are those of a face if one is around all others, which are holes beside each other")
 {
-  using VMP::internal::Boundary_polygon_2;
+  using PM::internal::Boundary_polygon_2;
   const auto square = [](const double x, const double y, const double size)
   { return Boundary_polygon_2{ { x, y }, { x + size, y }, { x + size, y + size }, { x, y + size } }; };
   const auto hole = [&](const double x, const double y, const double size)
@@ -1494,7 +1495,7 @@ TEST_CASE("polygons are those of a face if one is around all others, which are h
     return Boundary_polygon_2(p.rbegin(), p.rend());
   };
   const Boundary_polygon_2 bracket = { { 0, 0 }, { 9, 0 }, { 9, 3 }, { 3, 3 }, { 3, 9 }, { 0, 9 } };
-  using VMP::internal::are_nested;
+  using PM::internal::are_nested;
   CHECK(are_nested({ bracket }));
   CHECK(are_nested({ hole(1, 1, 1), bracket, hole(4, 1, 1) }));
   CHECK(!are_nested({ bracket, hole(5, 5, 1) }));                // not inside
@@ -1506,7 +1507,7 @@ TEST_CASE("polygons are those of a face if one is around all others, which are h
 
 TEST_CASE("a polycube that has a hole beside a face, in a notch of it, is refused")
 {
-  using namespace VMP::internal;
+  using namespace PM::internal;
   // a bracket with a hole at its corner
   const auto is_solid = [](const int x, const int y, int) { return (x < 3 || y < 3) && (x != 1 || y != 1); };
   Boundary_mesh_3 mesh;

@@ -33,6 +33,7 @@
 #include <utility>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
@@ -289,13 +290,13 @@ TEST_CASE("A body has hexahedra once it is mapped to a box or a polycube")
   Points bent = soup.points, targets, images;
   for(std::array<double, 3>& p : bent)
     p[2] += 0.1 * p[0] * p[0];
-  VMP::Hexahedron_soup_3 hexahedra;
-  CHECK(VMP::make_hexahedral_mesh_3(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
+  PM::Hexahedron_soup_3 hexahedra;
+  CHECK(PM::make_hexahedral_mesh_3(bent, soup.cells, bent, 1, hexahedra).status == VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL);
   CHECK(has(VMP::get_error_message(VMP::ERROR_DOMAIN_NOT_AXIS_PARALLEL), "Map the body to a box or a polycube"));
   const auto np = params::maximum_running_time(1e9);
-  REQUIRE(VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent, soup.cells, targets, np) == VMP::OK);
+  REQUIRE(PM::Polycube_boundary_parameterizer_3(1).parameterize(bent, soup.cells, targets, np) == VMP::OK);
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(bent, soup.cells, targets, images).status == VMP::OK);
-  CHECK(VMP::make_hexahedral_mesh_3(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
+  CHECK(PM::make_hexahedral_mesh_3(bent, soup.cells, images, 1, hexahedra).status == VMP::OK);
 }
 
 TEST_CASE("A spacing that would do is taken")
@@ -303,10 +304,10 @@ TEST_CASE("A spacing that would do is taken")
   const Tetrahedron_soup_3 soup = source_soup(cube_mesh(2));
   const auto hexahedra = [&](const double spacing) // millions of them would take minutes, hence only the grid is checked
   {
-    VMP::Hexahedron_soup_3 mesh;
-    return VMP::make_hexahedral_mesh_3(soup.points, soup.cells, soup.points, spacing, mesh, params::maximum_running_time(0.));
+    PM::Hexahedron_soup_3 mesh;
+    return PM::make_hexahedral_mesh_3(soup.points, soup.cells, soup.points, spacing, mesh, params::maximum_running_time(0.));
   };
-  const VMP::Hexahedral_mesh_result refused = hexahedra(2. / 300);
+  const PM::Hexahedral_mesh_result refused = hexahedra(2. / 300);
   CHECK(refused.status == VMP::ERROR_SIZE_OUT_OF_RANGE);
   const std::string words = "a spacing of ";
   REQUIRE(has(refused.message, words));
@@ -322,11 +323,11 @@ TEST_CASE("Hexahedra that are inverted become positive with a smaller spacing")
     const double angle = 5 * p[0] / 6, radius = 3 + p[1];
     p = { radius * std::sin(angle), radius * std::cos(angle), p[2] };
   }
-  VMP::Hexahedron_soup_3 hexahedra;
-  const VMP::Hexahedral_mesh_result coarse = VMP::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 6, hexahedra);
+  PM::Hexahedron_soup_3 hexahedra;
+  const PM::Hexahedral_mesh_result coarse = PM::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 6, hexahedra);
   CHECK(coarse.status == VMP::ERROR_INVERTED_HEXAHEDRON);
   CHECK(has(coarse.message, "Make the spacing smaller"));
-  CHECK(VMP::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
+  CHECK(PM::make_hexahedral_mesh_3(ring, soup.cells, soup.points, 1, hexahedra).status == VMP::OK);
 }
 
 TEST_CASE("Where flat cells hold the energy, vertices that slide help, and so does a boundary with less distortion there")

@@ -29,13 +29,14 @@
 #include <utility>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
 using Cells = std::vector<std::array<std::size_t, 4> >;
 using Complex = Cube_complex<>;
 using Points = std::vector<std::array<double, 3> >;
-using VMP::Hexahedron_soup_3;
+using PM::Hexahedron_soup_3;
 using VMP::Tetrahedron_soup_3;
 
 namespace {
@@ -74,9 +75,9 @@ void check_refused(const Tetrahedron_soup_3& soup)
 void check_refused(const Hexahedron_soup_3& mesh)
 {
   std::ostringstream os;
-  CHECK_THROWS_AS(VMP::IO::write_MEDIT(os, mesh), VMP::Input_error);
-  CHECK_THROWS_AS(VMP::IO::write_VTU(os, mesh), VMP::Input_error);
-  CHECK_THROWS_AS(VMP::IO::write_INP(os, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::IO::write_MEDIT(os, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::IO::write_VTU(os, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::IO::write_INP(os, mesh), VMP::Input_error);
   CHECK(os.str().empty());
 }
 
@@ -145,9 +146,9 @@ TEST_CASE("Arrays of hexahedra that do not fit together are not written")
   check_refused(spoilt([](auto& mesh) { mesh.facet_cells[0] = 1; }));
 
   std::ostringstream os;
-  VMP::IO::write_MEDIT(os, single_hexahedron());
-  VMP::IO::write_VTU(os, single_hexahedron());
-  VMP::IO::write_INP(os, single_hexahedron());
+  PM::IO::write_MEDIT(os, single_hexahedron());
+  PM::IO::write_VTU(os, single_hexahedron());
+  PM::IO::write_INP(os, single_hexahedron());
   CHECK(os);
 }
 
@@ -174,18 +175,18 @@ TEST_CASE("Nothing at all is answered by all functions of arrays and complexes")
   VMP::measure_distortion(none, no_cells, none);
   CHECK(VMP::boundary_vertices(none, no_cells).empty());
   CHECK(VMP::non_manifold_boundary_vertices(none, no_cells).empty());
-  CHECK(VMP::Polycube_boundary_parameterizer_3().parameterize(none, no_cells, images) == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(PM::Polycube_boundary_parameterizer_3().parameterize(none, no_cells, images) == VMP::ERROR_EMPTY_COMPLEX);
   CHECK_FALSE(VMP::Volume_map_3(none, no_cells, none).image({ 0, 0, 0 }));
   CHECK(VMP::Volume_map_3(none, no_cells, none).images(std::vector<Complex::Point_3>()).empty());
   Hexahedron_soup_3 hexahedra;
-  CHECK(VMP::make_hexahedral_mesh_3(none, no_cells, none, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(PM::make_hexahedral_mesh_3(none, no_cells, none, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
   VMP::orient_tetrahedron_soup(soup);
   std::ostringstream os;
   VMP::IO::write_MEDIT(os, soup);
   VMP::IO::write_VTU(os, soup, none);
-  VMP::IO::write_MEDIT(os, hexahedra);
-  VMP::IO::write_VTU(os, hexahedra);
-  VMP::IO::write_INP(os, hexahedra);
+  PM::IO::write_MEDIT(os, hexahedra);
+  PM::IO::write_VTU(os, hexahedra);
+  PM::IO::write_INP(os, hexahedra);
   CHECK(os);
 
   Complex::C3t3 c3t3;
@@ -195,7 +196,7 @@ TEST_CASE("Nothing at all is answered by all functions of arrays and complexes")
         == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map).status == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(VMP::make_parameterizable(c3t3) == 0);
-  CHECK(VMP::make_hexahedral_mesh_3(c3t3, uvw_map, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
+  CHECK(PM::make_hexahedral_mesh_3(c3t3, uvw_map, 1, hexahedra).status == VMP::ERROR_EMPTY_COMPLEX);
 }
 
 TEST_CASE("Any valid map is found for an energy that is constant")
@@ -253,7 +254,7 @@ TEST_CASE("Numbers that limit nothing are refused by name")
 
   Points images;
   const Tetrahedron_soup_3 soup = single_cell();
-  CHECK_THROWS_AS(VMP::Polycube_boundary_parameterizer_3().parameterize(soup.points, soup.cells, images,
+  CHECK_THROWS_AS(PM::Polycube_boundary_parameterizer_3().parameterize(soup.points, soup.cells, images,
                                                                          params::maximum_running_time(nan_value)),
                   CGAL::Precondition_exception);
 }

@@ -31,6 +31,7 @@
 #include <utility>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
@@ -200,8 +201,8 @@ TEST_CASE("Each boundary parameterizer finds the same targets")
   };
   check(VMP::Ball_boundary_parameterizer_3());
   check(VMP::Cube_boundary_parameterizer_3(1, 2, 3));
-  check(VMP::Polycube_boundary_parameterizer_3());
-  check(VMP::Polycube_boundary_parameterizer_3(0.5));
+  check(PM::Polycube_boundary_parameterizer_3());
+  check(PM::Polycube_boundary_parameterizer_3(0.5));
 }
 
 TEST_CASE("Corners, labels and surfaces are given by arrays, too")
@@ -259,7 +260,7 @@ TEST_CASE("Corners, labels and surfaces are given by arrays, too")
               labels_of_facets[{ body.complex.cells[c], i }] = labels[c][i];
             }
           }
-    const VMP::Polycube_boundary_parameterizer_3 polycube;
+    const PM::Polycube_boundary_parameterizer_3 polycube;
     const VMP::Error_code status = polycube.parameterize(
       body.complex.c3t3, boost::make_assoc_property_map(labels_of_facets), body.complex.boundary_map());
     REQUIRE(polycube.parameterize(body.soup.points, body.cells, labels, targets) == VMP::OK);
@@ -293,7 +294,7 @@ TEST_CASE("A map is the same in each type of ranges, with its distortion and all
   Both body(cube_mesh(4, 0.15));
   body.complex.target.clear();
   Points targets, images;
-  const VMP::Polycube_boundary_parameterizer_3 polycube(0.5);
+  const PM::Polycube_boundary_parameterizer_3 polycube(0.5);
   REQUIRE(polycube.parameterize(body.complex.c3t3, body.complex.boundary_map()) == VMP::OK);
   REQUIRE(polycube.parameterize(body.soup.points, body.cells, targets) == VMP::OK);
 
@@ -329,9 +330,9 @@ TEST_CASE("A map is the same in each type of ranges, with its distortion and all
     CHECK(map.image(p)->cell == map_of_complex.image(p)->cell);
   }
 
-  VMP::Hexahedron_soup_3 hexahedra, hexahedra_of_complex;
-  REQUIRE(VMP::make_hexahedral_mesh_3(points_of_cgal, body.cells, images, 0.5, hexahedra).status == VMP::OK);
-  REQUIRE(VMP::make_hexahedral_mesh_3(body.complex.c3t3, body.complex.uvw_map(), 0.5, hexahedra_of_complex).status == VMP::OK);
+  PM::Hexahedron_soup_3 hexahedra, hexahedra_of_complex;
+  REQUIRE(PM::make_hexahedral_mesh_3(points_of_cgal, body.cells, images, 0.5, hexahedra).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(body.complex.c3t3, body.complex.uvw_map(), 0.5, hexahedra_of_complex).status == VMP::OK);
   CHECK(has_same_bits(hexahedra.points, hexahedra_of_complex.points));
   CHECK(hexahedra.cells == hexahedra_of_complex.cells);
 }

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <unordered_map>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
@@ -85,5 +86,5 @@ TEST_CASE("limits of time are kept on a bumpy body")
   };
   check(VMP::Ball_boundary_parameterizer_3());
   check(VMP::Cube_boundary_parameterizer_3());
-  check(VMP::Polycube_boundary_parameterizer_3());
+  check(PM::Polycube_boundary_parameterizer_3());
 }

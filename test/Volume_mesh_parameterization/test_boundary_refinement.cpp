@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace internal = VMP::internal;
 namespace params = CGAL::parameters;
@@ -31,7 +32,7 @@ using VMP::Tetrahedron_soup_3;
 
 namespace {
 
-const auto polycube = params::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3());
+const auto polycube = params::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3());
 
 // Records how attempts end, and on which clock they run.
 struct Told_attempts
@@ -231,7 +232,7 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
   const std::size_t n = soup.points.size();
 
   std::vector<Point> expected;
-  const VMP::Polycube_boundary_parameterizer_3 polycube;
+  const PM::Polycube_boundary_parameterizer_3 polycube;
   const auto np = params::boundary_parameterizer(polycube).refinement_mode(Refinement_mode::BOUNDARY);
   const Parameterization_result of_arrays = CGAL::stretch_minimizing_volume_parameterization(soup, expected, np);
   const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np);
@@ -285,5 +286,5 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
   auto labels = polycube.result().labels.begin();
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c, ++labels)
     for(int i = 0; i < 4; ++i)
-      CHECK((*labels)[i] == (c3t3.is_in_complex(c->neighbor(i)) ? VMP::Polycube_result::no_label : label_of_image(c, i, complex)));
+      CHECK((*labels)[i] == (c3t3.is_in_complex(c->neighbor(i)) ? PM::Polycube_result::no_label : label_of_image(c, i, complex)));
 }

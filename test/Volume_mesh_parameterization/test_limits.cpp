@@ -20,6 +20,7 @@
 #include <vector>
 
 namespace params = CGAL::parameters;
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 namespace {
@@ -187,7 +188,7 @@ TEST_CASE("Maps of boundaries")
   };
   check(VMP::Ball_boundary_parameterizer_3());
   check(VMP::Cube_boundary_parameterizer_3());
-  check(VMP::Polycube_boundary_parameterizer_3());
+  check(PM::Polycube_boundary_parameterizer_3());
 }
 
 TEST_CASE("A visitor is told of rounds over the boundary and over hexahedra, and may end them")
@@ -212,13 +213,13 @@ TEST_CASE("A visitor is told of rounds over the boundary and over hexahedra, and
   };
   check_boundary(VMP::Ball_boundary_parameterizer_3());
   check_boundary(VMP::Cube_boundary_parameterizer_3());
-  check_boundary(VMP::Polycube_boundary_parameterizer_3());
+  check_boundary(PM::Polycube_boundary_parameterizer_3());
   const VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(4));
   check(VMP::Phase::HEXAHEDRA, [&](Recording_visitor& visitor)
   {
-    VMP::Hexahedron_soup_3 mesh;
-    const VMP::Hexahedral_mesh_result result
-      = VMP::make_hexahedral_mesh_3(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
+    PM::Hexahedron_soup_3 mesh;
+    const PM::Hexahedral_mesh_result result
+      = PM::make_hexahedral_mesh_3(soup, soup.points, 1, mesh, params::visitor(std::ref(visitor)));
     return result.status;
   });
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Points = std::vector<std::array<double, 3> >;
@@ -34,10 +35,10 @@ struct Results
     for(std::array<double, 3>& p : bent.points)
       p[2] += 0.1 * p[0] * p[0];
     Points images_of_bent;
-    VMP::Hexahedron_soup_3 mesh;
-    VMP::Polycube_boundary_parameterizer_3(1).parameterize(bent.points, bent.cells, targets);
+    PM::Hexahedron_soup_3 mesh;
+    PM::Polycube_boundary_parameterizer_3(1).parameterize(bent.points, bent.cells, targets);
     CGAL::stretch_minimizing_volume_parameterization(bent, targets, images_of_bent);
-    VMP::make_hexahedral_mesh_3(bent, images_of_bent, 1, mesh);
+    PM::make_hexahedral_mesh_3(bent, images_of_bent, 1, mesh);
     hexahedra = mesh.points;
   }
 };

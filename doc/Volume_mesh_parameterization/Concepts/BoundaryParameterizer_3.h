@@ -10,7 +10,7 @@ first, and passes the images as `boundary_map`. This is necessary for corners, l
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3}
-\cgalHasModels{CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3}
+\cgalHasModels{CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3}
 \cgalHasModelsEnd
 

@@ -20,7 +20,7 @@ struct Gmsh_module
   void (*read)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup);
   void (*fill)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, double cell_size);
   void (*write)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, double version);
-  void (*write_hexahedra)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Hexahedron_soup_3& mesh,
+  void (*write_hexahedra)(std::ostream& os, const CGAL::Polycube_meshing_3::Hexahedron_soup_3& mesh,
                           const std::map<std::pair<int, int>, std::string>& names, double version);
 };
 

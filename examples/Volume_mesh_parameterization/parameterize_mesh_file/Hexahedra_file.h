@@ -42,28 +42,29 @@ public:
   double spacing() const { return m_spacing; }       // 0 if there is none
 
   // Writes the file only if there is a valid mesh.
-  CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result
+  CGAL::Polycube_meshing_3::Hexahedral_mesh_result
   write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
         const std::vector<std::array<double, 3> >& uvw, const bool are_staircases, Progress_line& progress) const
   {
+    namespace PM = CGAL::Polycube_meshing_3;
     namespace VMP = CGAL::Volume_mesh_parameterization;
-    VMP::Hexahedron_soup_3 mesh;
-    const VMP::Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
+    PM::Hexahedron_soup_3 mesh;
+    const PM::Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
       source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases)
                                     .maximum_running_time(progress.seconds_left()));
     if(result.has_valid_mesh)
     {
       VMP::IO::Output_file file(m_name);
       if(extension() == ".vtu")
-        VMP::IO::write_VTU(file.stream(), mesh, source.group_names);
+        PM::IO::write_VTU(file.stream(), mesh, source.group_names);
       else if(extension() == ".inp")
-        VMP::IO::write_INP(file.stream(), mesh, "C3D8", source.group_names);
+        PM::IO::write_INP(file.stream(), mesh, "C3D8", source.group_names);
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
       else if(is_Gmsh_name(m_name))
         gmsh_module().write_hexahedra(file.stream(), mesh, source.group_names, version_of_Gmsh_name(m_name));
 #endif
       else
-        VMP::IO::write_MEDIT(file.stream(), mesh);
+        PM::IO::write_MEDIT(file.stream(), mesh);
       file.commit(CGAL::parameters::visitor(std::ref(progress)));
     }
     return result;

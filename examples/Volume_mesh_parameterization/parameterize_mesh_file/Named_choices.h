@@ -77,9 +77,9 @@ inline CGAL::Volume_mesh_parameterization::Boundary_mode named_boundary_mode(con
     {"auto", Boundary_mode::AUTO}, {"fixed", Boundary_mode::FIXED}, {"soft", Boundary_mode::SOFT}});
 }
 
-inline CGAL::Volume_mesh_parameterization::Polycube_axes named_polycube_axes(const std::string& name)
+inline CGAL::Polycube_meshing_3::Polycube_axes named_polycube_axes(const std::string& name)
 {
-  using CGAL::Volume_mesh_parameterization::Polycube_axes;
+  using CGAL::Polycube_meshing_3::Polycube_axes;
   return find_name<Polycube_axes>("way to choose axes", name, {
     {"found", Polycube_axes::FOUND}, {"given", Polycube_axes::GIVEN}});
 }

@@ -35,9 +35,9 @@ struct Outcome
   std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0;
   std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
   std::array<std::size_t, 4> numbers_of_conditions = {}; // vertices of the boundary: free, in planes, on lines, at targets
-  std::optional<CGAL::Volume_mesh_parameterization::Polycube_result> polycube = {};
+  std::optional<CGAL::Polycube_meshing_3::Polycube_result> polycube = {};
   // if hexahedra were to be made, and there was a map to make them of
-  std::optional<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result> hexahedra = {};
+  std::optional<CGAL::Polycube_meshing_3::Hexahedral_mesh_result> hexahedra = {};
 };
 
 // A sentence of the library with the options of the program in place of the parameters of the function.
@@ -94,14 +94,14 @@ inline JSON_object json(const Options& options)
                       .add("time_limit", options.time_limit);
 }
 
-inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
+inline void print(const CGAL::Polycube_meshing_3::Hexahedral_mesh_result& result)
 {
   std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << "; largest distance of the boundaries " << result.boundary_distance
             << "\n";
   if(result.volumes.size() > 1)
   {
-    for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
+    for(const CGAL::Polycube_meshing_3::Subdomain_volumes& volumes : result.volumes)
       std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra "
                 << volumes.of_hexahedra << "\n";
     std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
@@ -112,7 +112,7 @@ inline void print(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_resu
 }
 
 // The table of patches, a list for each column; centers and normals have three numbers for each patch.
-inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Hexahedral_mesh_patch>& patches)
+inline JSON_object json(const std::vector<CGAL::Polycube_meshing_3::Hexahedral_mesh_patch>& patches)
 {
   std::vector<double> references, quadrangles, areas, centers, normals;
   for(const auto& patch : patches)
@@ -127,10 +127,10 @@ inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::He
                       .add("centers", centers).add("normals", normals);
 }
 
-inline JSON_object json(const CGAL::Volume_mesh_parameterization::Hexahedral_mesh_result& result)
+inline JSON_object json(const CGAL::Polycube_meshing_3::Hexahedral_mesh_result& result)
 {
   std::vector<double> subdomains, of_tetrahedra, of_hexahedra;
-  for(const CGAL::Volume_mesh_parameterization::Subdomain_volumes& volumes : result.volumes)
+  for(const CGAL::Polycube_meshing_3::Subdomain_volumes& volumes : result.volumes)
   {
     subdomains.push_back(volumes.reference);
     of_tetrahedra.push_back(volumes.of_tetrahedra);
@@ -183,7 +183,7 @@ inline void print_end(const Outcome& outcome)
 }
 
 // Adds the rotation of the source into the axes of a polycube, by rows, and which sharp edges it gives up.
-inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
+inline void add(JSON_object& report, const CGAL::Polycube_meshing_3::Polycube_result& polycube)
 {
   std::vector<double> rotation, points;
   for(const std::array<double, 3>& row : polycube.rotation)

@@ -67,7 +67,7 @@ struct Ball_or_box
   }
 };
 
-using Polycube = CGAL::Volume_mesh_parameterization::Polycube_boundary_parameterizer_3;
+using Polycube = CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3;
 using Boundary_parameterizer = std::variant<Ball_or_box, Polycube>;
 
 // The lengths of the sides of a box from text such as 1,2,0.5

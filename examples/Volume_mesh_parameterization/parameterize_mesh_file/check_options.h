@@ -82,7 +82,7 @@ inline void check(const Options& options)
   named_refinement(options.refinement);
   if(!options.domain.empty())
     named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
-  if(named_polycube_axes(options.polycube_axes) != CGAL::Volume_mesh_parameterization::Polycube_axes::FOUND
+  if(named_polycube_axes(options.polycube_axes) != CGAL::Polycube_meshing_3::Polycube_axes::FOUND
      && options.domain != "polycube")
     throw std::runtime_error("--polycube-axes needs --to polycube");
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))

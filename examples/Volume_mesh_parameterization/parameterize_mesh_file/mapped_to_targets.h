@@ -28,6 +28,7 @@
 #include <variant>
 
 namespace params = CGAL::parameters;
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
@@ -38,7 +39,7 @@ struct Mapped_mesh
   VMP::Tetrahedron_soup_3 mesh;
   Target_points target; // none on a domain
   Points initial;       // images to start from, or none
-  VMP::Polycube_result polycube = {};
+  PM::Polycube_result polycube = {};
   Points uvw = {};
   Result result = {};
 };
@@ -144,7 +145,7 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
 }
 
 // Says how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
-inline std::string note_of_features_given_up(const CGAL::Volume_mesh_parameterization::Polycube_result& polycube)
+inline std::string note_of_features_given_up(const CGAL::Polycube_meshing_3::Polycube_result& polycube)
 {
   if(polycube.features_given_up.empty())
     return "";

@@ -52,7 +52,7 @@ inline void note_changed_names(const Options& options, const CGAL::Volume_mesh_p
   const std::string filename = Hexahedra_file(options.hexahedra).name();
   if(options.is_quiet || extension_of(filename) != ".inp")
     return;
-  for(const auto& [group, name] : CGAL::Volume_mesh_parameterization::IO::names_in_INP(mesh.group_names))
+  for(const auto& [group, name] : CGAL::Polycube_meshing_3::IO::names_in_INP(mesh.group_names))
     if(const std::string& old_name = mesh.group_names.at(group); group.first >= 2 && name != old_name)
       std::cerr << "note: " << filename << ": the group '" << old_name << "' has the name " << name << std::endl;
 }

@@ -28,6 +28,7 @@
 #include <new>
 #include <string>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, Progress_line& progress)
@@ -68,7 +69,7 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   progress.show("making hexahedra");
   const double begin = progress.seconds();
   const Hexahedra_file file(options.hexahedra);
-  const VMP::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, options.are_staircases, progress);
+  const PM::Hexahedral_mesh_result hexahedra = file.write(mesh, uvw, options.are_staircases, progress);
   outcome.hexahedra = hexahedra;
   outcome.seconds_hexahedra = progress.seconds() - begin;
   if(hexahedra.has_valid_mesh)

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 
 #include <array>
@@ -20,7 +21,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization {
+namespace CGAL::Polycube_meshing_3 {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
@@ -91,7 +92,7 @@ everywhere. This may happen although all corners are positive.
 */
 struct Hexahedral_mesh_result
 {
-  Error_code status = OK;                ///< how the computation ended
+  Volume_mesh_parameterization::Error_code status = Volume_mesh_parameterization::OK; ///< how the computation ended
   std::string message;                   ///< sentences about the status and its place
   bool has_valid_mesh = false;           ///< whether no hexahedron is inverted and the mesh is written
   std::size_t number_of_vertices = 0;          ///< all vertices of the mesh
@@ -120,6 +121,6 @@ struct Hexahedral_mesh_result
   std::vector<std::array<double, 3> > corners_given_up;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization
+} // namespace CGAL::Polycube_meshing_3
 
 #endif // CGAL_POLYCUBE_MESHING_3_HEXAHEDRAL_MESH_RESULT_H

@@ -25,7 +25,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization {
+namespace CGAL::Polycube_meshing_3 {
 
 /*!
 \ingroup PkgPolycubeMeshing3Polycubes
@@ -166,11 +166,11 @@ public:
 #ifdef DOXYGEN_RUNNING
   /// writes the image of each vertex of the boundary of a complex, as described in `BoundaryParameterizer_3`.
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+  Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
   /// writes the image of each point on the boundary of a mesh that is given by arrays, as described there.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
+  Volume_mesh_parameterization::Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
 #endif
 
@@ -190,7 +190,7 @@ public:
   /// \return the same as without labels
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
             typename = typename C3t3::Triangulation, typename = internal::Key_of<VertexPointMap> >
-  Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
+  Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_of_complex_3<C3t3> body(c3t3);
@@ -205,7 +205,8 @@ public:
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
             typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange>,
             typename = internal::If_range<TargetRange> >
-  Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,
+  Volume_mesh_parameterization::Error_code parameterize(const PointRange& points, const CellRange& cells,
+                                                        const LabelRange& labels, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_3 body = internal::body_of(points, cells);
@@ -253,7 +254,8 @@ private:
   using Given = std::vector<std::size_t>; // labels
 
   // Finds images of a boundary as it is given and, if it may be refined, before these those of one with more vertices.
-  Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine, const internal::Budget& budget,
+  Volume_mesh_parameterization::Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
+                                                const internal::Budget& budget,
                   std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
     for(const std::size_t label : label_of_facet)
@@ -262,8 +264,8 @@ private:
     const internal::Found_polycube_3 found
       = internal::map_to_polycube_3({ surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND, may_refine }, budget);
     if(budget.is_exhausted()) // then the status does not matter
-      return ERROR_INTERRUPTED;
-    if(found.status != OK)
+      return Volume_mesh_parameterization::ERROR_INTERRUPTED;
+    if(found.status != Volume_mesh_parameterization::OK)
       return found.status;
     if(!found.images_with_splits.empty())
       boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images_with_splits));
@@ -272,7 +274,7 @@ private:
     for(internal::Mapped_boundary_3& boundary : boundaries)
       for(int i = 0; i < 3; ++i)
         boundary.rotation[i] = internal::coordinates(found.rotation.row(i));
-    return OK;
+    return Volume_mesh_parameterization::OK;
   }
 
   // Returns the direction of the normal of a facet's image on a polycube.
@@ -292,6 +294,6 @@ private:
   std::shared_ptr<Polycube_result> m_result = std::make_shared<Polycube_result>(); // of all copies
 };
 
-} // namespace CGAL::Volume_mesh_parameterization
+} // namespace CGAL::Polycube_meshing_3
 
 #endif // CGAL_POLYCUBE_MESHING_3_POLYCUBE_BOUNDARY_PARAMETERIZER_3_H

@@ -24,7 +24,7 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-namespace CGAL::Volume_mesh_parameterization {
+namespace CGAL::Polycube_meshing_3 {
 
 namespace internal {
 
@@ -218,9 +218,9 @@ makes hexahedra of a soup, with its references. All else is as for arrays.
 */
 template <typename ConcurrencyTag = Sequential_tag, typename ImageRange,
           typename NamedParameters = parameters::Default_named_parameters>
-Hexahedral_mesh_result make_hexahedral_mesh_3(const Tetrahedron_soup_3& soup, const ImageRange& images, const double spacing,
-                                       Hexahedron_soup_3& mesh,
-                                       const NamedParameters& np = parameters::default_values())
+Hexahedral_mesh_result make_hexahedral_mesh_3(const Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
+                                              const ImageRange& images, const double spacing, Hexahedron_soup_3& mesh,
+                                              const NamedParameters& np = parameters::default_values())
 {
   return internal::hexahedral_mesh_of_map<ConcurrencyTag>(
     internal::Mapped_soup_3(soup, internal::coordinates_of(images)), spacing, mesh, np);
@@ -257,6 +257,6 @@ Hexahedral_mesh_result make_hexahedral_mesh_3(const C3t3& c3t3, const VertexUVWM
   return internal::hexahedral_mesh_of_map<ConcurrencyTag>(map, spacing, mesh, np);
 }
 
-} // namespace CGAL::Volume_mesh_parameterization
+} // namespace CGAL::Polycube_meshing_3
 
 #endif // CGAL_POLYCUBE_MESHING_3_MAKE_HEXAHEDRAL_MESH_3_H

@@ -20,4 +20,9 @@
 #include <CGAL/license.h>
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+// A unit that is header-only has names of its own, as those of the other package.
+#if !defined(CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE) && !defined(DOXYGEN_RUNNING)
+#  define Polycube_meshing_3 Polycube_meshing_3_header_only
+#endif
+
 #endif // CGAL_LICENSE_POLYCUBE_MESHING_3_H

@@ -22,13 +22,14 @@
 #include <set>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Eigen::Vector3d;
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VMP::Hexahedral_mesh_result;
-using VMP::Hexahedron_soup_3;
-using VMP::internal::Hexahedra_3;
+using PM::Hexahedral_mesh_result;
+using PM::Hexahedron_soup_3;
+using PM::internal::Hexahedra_3;
 using VMP::Tetrahedron_soup_3;
 using Points = std::vector<std::array<double, 3> >;
 
@@ -68,7 +69,7 @@ struct Body
   Hexahedral_mesh_result mesh(const double spacing, Hexahedron_soup_3& hexahedra,
                               const NamedParameters& np = CGAL::parameters::default_values()) const
   {
-    return VMP::make_hexahedral_mesh_3<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
+    return PM::make_hexahedral_mesh_3<Tag>(soup.points, soup.cells, images, spacing, hexahedra, np);
   }
 
   std::vector<K::Triangle_3> boundary_facets() const
@@ -107,7 +108,7 @@ inline double distance(const std::array<double, 3>& p, const std::vector<K::Tria
 inline void check_boundary(const Hexahedron_soup_3& mesh, const Body& body)
 {
   const std::vector<K::Triangle_3> facets = body.boundary_facets();
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  const std::vector<bool> is_outer = PM::internal::is_on_boundary(mesh);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     if(is_outer[v])
       CHECK(distance(mesh.points[v], facets) < 1e-13);

@@ -29,7 +29,7 @@
 #include <string>
 #include <vector>
 
-using VMP::internal::Corners_to_improve;
+using PM::internal::Corners_to_improve;
 
 namespace {
 
@@ -78,7 +78,7 @@ std::vector<int> boundary_quadrangles_of_cells(const Hexahedron_soup_3& mesh)
 {
   std::map<std::set<std::size_t>, std::vector<std::size_t> > cells;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
+    for(const auto& q : PM::internal::quadrangles_of_hexahedron)
       cells[{ mesh.cells[c][q[0]], mesh.cells[c][q[1]], mesh.cells[c][q[2]], mesh.cells[c][q[3]] }].push_back(c);
   std::vector<int> result(mesh.cells.size(), 0);
   for(const auto& entry : cells)
@@ -186,30 +186,30 @@ struct Sliding_hexahedra
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver;
   VMP::internal::Budget budget;
-  VMP::internal::Body_surface_3 surface;
+  PM::internal::Body_surface_3 surface;
   Hexahedra_3 start;
-  std::vector<VMP::internal::Freedom_3> freedoms;
-  VMP::internal::Sliding_hexahedra_3 hexahedra;
+  std::vector<PM::internal::Freedom_3> freedoms;
+  PM::internal::Sliding_hexahedra_3 hexahedra;
 
   explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
   Sliding_hexahedra(const Body& body, const Hexahedra_3& start)
     : linear_solver(solver), surface(VMP::internal::Mapped_soup_3(body.soup, body.images)), start(start),
-      freedoms(VMP::internal::freedoms_3(start, surface)),
+      freedoms(PM::internal::freedoms_3(start, surface)),
       hexahedra(start, freedoms, surface, linear_solver, false, budget)
   {}
 
   static Hexahedra_3 boxes(const Body& body, const double spacing)
   {
     const VMP::internal::Mapped_soup_3 soup(body.soup, body.images);
-    const VMP::internal::Body_with_domain_3 mapped(soup, false);
-    const VMP::internal::Box_grid_3 grid(soup.cells, mapped.images, {}, spacing);
+    const PM::internal::Body_with_domain_3 mapped(soup, false);
+    const PM::internal::Box_grid_3 grid(soup.cells, mapped.images, {}, spacing);
     const VMP::internal::Budget budget;
-    return VMP::internal::pulled_back(mapped, grid.boxes([&](const std::vector<Vector3d>& centers)
-                                              { return VMP::internal::preimages_3(mapped, centers, budget); }), budget);
+    return PM::internal::pulled_back(mapped, grid.boxes([&](const std::vector<Vector3d>& centers)
+                                              { return PM::internal::preimages_3(mapped, centers, budget); }), budget);
   }
 
-  std::ptrdiff_t number(const VMP::internal::Freedom_3 freedom) const
+  std::ptrdiff_t number(const PM::internal::Freedom_3 freedom) const
   {
     return std::count(freedoms.begin(), freedoms.end(), freedom);
   }
@@ -221,7 +221,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
 {
   const Body box(5, 0, same);
   Hexahedra_3 mesh = Sliding_hexahedra::boxes(box, 1);
-  const std::vector<bool> is_outer = VMP::internal::is_on_boundary(mesh);
+  const std::vector<bool> is_outer = PM::internal::is_on_boundary(mesh);
   std::mt19937 engine;
   std::uniform_real_distribution<double> noise(-1, 1);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -229,13 +229,13 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
       mesh.points[v][axis] += is_outer[v] ? 0 : noise(engine);
   const std::vector<Vector3d> before = mesh.points;
   REQUIRE(smallest_determinant(mesh) < 0);
-  REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
+  REQUIRE(PM::internal::evaluated_hexahedra(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
 
   Sliding_hexahedra sliding(box, mesh);
   for(int i = 0; i < 4; ++i)
     sliding.hexahedra.improve(30, false, Corners_to_improve::ALL);
   mesh = sliding.hexahedra.mesh();
-  const Hexahedral_mesh_result result = VMP::internal::evaluated_hexahedra(mesh, false);
+  const Hexahedral_mesh_result result = PM::internal::evaluated_hexahedra(mesh, false);
   CHECK(result.status == VMP::OK);
   CHECK(result.minimum_scaled_jacobian > 0.9); // the cubes are the minimum
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -287,18 +287,18 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
   const Body ball(8, 0, rounded);
   Sliding_hexahedra sliding(ball);
   // two faces of the cube are on the sphere
-  REQUIRE(VMP::internal::evaluated_hexahedra(sliding.start, false).minimum_scaled_jacobian < 0.11);
+  REQUIRE(PM::internal::evaluated_hexahedra(sliding.start, false).minimum_scaled_jacobian < 0.11);
   sliding.hexahedra.smooth(0.3, 0.03);
-  CHECK(VMP::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimum_scaled_jacobian > 0.2);
+  CHECK(PM::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimum_scaled_jacobian > 0.2);
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
-    if(sliding.freedoms[v] != VMP::internal::Freedom_3::SPACE)
+    if(sliding.freedoms[v] != PM::internal::Freedom_3::SPACE)
       CHECK(distance(VMP::internal::coordinates(sliding.hexahedra.mesh().points[v]), facets) < 1e-13);
 }
 
 TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the domain where the body is smooth")
 {
-  using VMP::internal::Freedom_3;
+  using PM::internal::Freedom_3;
   const Sliding_hexahedra box(Body(4, 0, same)), ball(Body(8, 0, rounded));
   CHECK(box.number(Freedom_3::SPACE) == 27);
   CHECK(box.number(Freedom_3::SURFACE) == 6 * 9);
@@ -362,12 +362,12 @@ struct Complex_on_polycube
     VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
     REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
               c3t3, VMP::make_vertex_point_map(uvw),
-              CGAL::parameters::boundary_parameterizer(VMP::Polycube_boundary_parameterizer_3(spacing))
+              CGAL::parameters::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3(spacing))
                                .do_slide_boundary(true)).status == VMP::OK);
   }
 
   Hexahedral_mesh_result mesh(Hexahedron_soup_3& hexahedra)
-  { return VMP::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
+  { return PM::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
 };
 
 } // namespace
@@ -445,7 +445,7 @@ TEST_CASE("Of marked corners nearer to each other than hexahedra are wide, those
       box.soup.corners.push_back(v);
   REQUIRE(box.soup.corners.size() == 4); // one inside, which is no corner of the surface
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(box.soup, box.images, 4, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(box.soup, box.images, 4, mesh);
   CHECK(result.status == VMP::OK);
   const std::set<std::array<double, 3> > given_up(result.corners_given_up.begin(), result.corners_given_up.end());
   CHECK(given_up == std::set<std::array<double, 3> >{ { 3, 0, 0 }, { 5, 0, 0 } });
@@ -462,9 +462,9 @@ TEST_CASE("The patches of hexahedra of a box have its areas, centers and normals
     box.soup.facet_references.push_back(is_top ? 9 : 2);
   }
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh);
   REQUIRE(result.patches.size() == 2);
-  const VMP::Hexahedral_mesh_patch& others = result.patches[0], & top = result.patches[1];
+  const PM::Hexahedral_mesh_patch& others = result.patches[0], & top = result.patches[1];
   CHECK(others.reference == 2);
   CHECK(others.number_of_quadrangles == 5 * 16);
   CHECK(std::abs(others.area - (2 * 4 * 12 + 2 * 8 * 12 + 4 * 8)) < 1e-9);
@@ -519,7 +519,7 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(points, cross, targets, images,
                                                            CGAL::parameters::do_refine(true)).status == VMP::OK);
   Hexahedron_soup_3 mesh;
-  REQUIRE(VMP::make_hexahedral_mesh_3(points, cross, images, 0.125, mesh).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(points, cross, images, 0.125, mesh).status == VMP::OK);
   CHECK(smallest_determinant(mesh) > 0);
   for(const std::array<std::size_t, 4>& quadrangle : mesh.facets)
     for(const std::size_t v : quadrangle)
@@ -529,7 +529,7 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
 
 TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")
 {
-  using VMP::internal::Freedom_3;
+  using PM::internal::Freedom_3;
   for(const Body& body : { Body(6, 0, same), Body(8, 0, rounded) })
   {
     Hexahedra_3 mesh = Sliding_hexahedra(body, 2).start;
@@ -543,14 +543,14 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
         p += Vector3d(noise(engine), noise(engine), noise(engine));
       mesh.points[v] = straight.surface.nearest(p, straight.freedoms[v]);
     }
-    REQUIRE(VMP::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
+    REQUIRE(PM::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
 
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
     VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
     const VMP::internal::Budget budget;
-    VMP::internal::Sliding_hexahedra_3 tangled(mesh, straight.freedoms, straight.surface, linear_solver, false, budget);
+    PM::internal::Sliding_hexahedra_3 tangled(mesh, straight.freedoms, straight.surface, linear_solver, false, budget);
     tangled.leave_and_return();
-    CHECK(VMP::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
+    CHECK(PM::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Vector3d p = tangled.mesh().points[v];
@@ -581,7 +581,7 @@ TEST_CASE("Vertices slide to where corners are best, however far that is from wh
   Sliding_hexahedra sliding(block, 2);
   for(int round = 0; round < 20; ++round)
     sliding.hexahedra.improve(3, true, Corners_to_improve::ALL);
-  const std::vector<double> quality = VMP::internal::scaled_jacobians(sliding.hexahedra.mesh());
+  const std::vector<double> quality = PM::internal::scaled_jacobians(sliding.hexahedra.mesh());
   CHECK(*std::min_element(quality.begin(), quality.end()) > 0.999); // if they were drawn to there, 0.987
 }
 
@@ -603,7 +603,7 @@ TEST_CASE("Worst angles are improved whatever lengths edges have, and thin layer
   REQUIRE(number_moved == 1);
   const auto least = [](const Sliding_hexahedra& sliding)
   {
-    const std::vector<double> quality = VMP::internal::scaled_jacobians(sliding.hexahedra.mesh());
+    const std::vector<double> quality = PM::internal::scaled_jacobians(sliding.hexahedra.mesh());
     return *std::min_element(quality.begin(), quality.end());
   };
   const auto thickest = [&](const Sliding_hexahedra& sliding)
@@ -671,22 +671,22 @@ TEST_CASE("The distance of boundaries is that of tips, of vertices and of middle
         const K::Point_3 middle = CGAL::midpoint(facet[i], facet[i + 1]);
         farthest = (std::max)(farthest, distance({ middle.x(), middle.y(), middle.z() }, facets));
       }
-    CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(farthest));
+    CHECK(PM::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(farthest));
   }
   const Body box(2, 0, same);
   Sliding_hexahedra sliding(box, 1);
   const auto dent = std::find(sliding.start.points.begin(), sliding.start.points.end(), Vector3d(1, 1, 2));
   REQUIRE(dent != sliding.start.points.end());
   (*dent)[2] -= 0.3; // only the vertex itself is that far from the body
-  CHECK(VMP::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(0.3));
+  CHECK(PM::internal::boundary_distance_3(sliding.surface, sliding.start).distance == Approx(0.3));
   Hexahedral_mesh_result near, far;
   near.minimum_scaled_jacobian = far.minimum_scaled_jacobian = 0.2;
   near.mean_scaled_jacobian = 0.9;
   far.mean_scaled_jacobian = 0.95;
   near.boundary_distance = 0.5;
   far.boundary_distance = 1.5;
-  CHECK(VMP::internal::is_better(near, far, 1));
-  CHECK(VMP::internal::is_better(far, near, 10)); // both suffice
+  CHECK(PM::internal::is_better(near, far, 1));
+  CHECK(PM::internal::is_better(far, near, 10)); // both suffice
 }
 
 TEST_CASE("Hexahedra are drawn to tips that are far away once their corners suffice")
@@ -712,7 +712,7 @@ TEST_CASE("A better worst hexahedron does not make up for a mean that loses more
   };
   const auto is_better = [](const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
   {
-    return VMP::internal::is_better(a, b, 1) && !VMP::internal::is_better(b, a, 1);
+    return PM::internal::is_better(a, b, 1) && !PM::internal::is_better(b, a, 1);
   };
   CHECK(is_better(result(0, 0.09, 0.97), result(0, 0.10, 0.93)));
   CHECK(is_better(result(0, 0.20, 0.92), result(0, 0.10, 0.93)));
@@ -734,7 +734,7 @@ TEST_CASE("Improvement keeps positive corners, the boundary covered, and never m
     }
 
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result before = VMP::internal::evaluated_hexahedra(sliding.start, false), after = body.mesh(1, mesh);
+    const Hexahedral_mesh_result before = PM::internal::evaluated_hexahedra(sliding.start, false), after = body.mesh(1, mesh);
     CHECK(after.number_of_inverted_corners <= before.number_of_inverted_corners);
     CHECK(after.minimum_scaled_jacobian >= (std::min)(0.3, before.minimum_scaled_jacobian));
 
@@ -818,11 +818,11 @@ TEST_CASE("Without time there are no hexahedra")
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh,
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh,
                                                              CGAL::parameters::maximum_running_time(0.));
   CHECK(result.status == VMP::ERROR_INTERRUPTED);
   CHECK(mesh.cells.empty());
-  CHECK(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).number_of_cells == 8);
+  CHECK(PM::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).number_of_cells == 8);
 }
 
 TEST_CASE("A grid that memory has no room for is refused with a spacing that would do")
@@ -922,7 +922,7 @@ TEST_CASE("A soup whose arrays do not fit together has no hexahedra")
   Body box(1, 0, same);
   Hexahedron_soup_3 mesh;
   box.soup.cell_references.resize(1);
-  CHECK_THROWS_AS(VMP::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::make_hexahedral_mesh_3(box.soup, box.images, 1, mesh), VMP::Input_error);
   box.soup.cells[0][0] = box.soup.points.size();
   CHECK_THROWS_AS(box.mesh(1, mesh), VMP::Input_error);
   CHECK(mesh.points.empty());
@@ -934,10 +934,10 @@ TEST_CASE("Hexahedra are written for VTK and MEDIT")
   Hexahedron_soup_3 mesh;
   REQUIRE(box.mesh(1, mesh).status == VMP::OK);
   std::ostringstream medit, vtu;
-  VMP::IO::write_MEDIT(medit, mesh);
+  PM::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find("Vertices\n8\n0 0 0 0\n") != std::string::npos);
   CHECK(medit.str().find("Hexahedra\n1\n1 2 3 4 5 6 7 8 0\nQuadrilaterals\n6\n1 ") != std::string::npos);
-  VMP::IO::write_VTU(vtu, mesh);
+  PM::IO::write_VTU(vtu, mesh);
   const std::string text = vtu.str();
   CHECK(text.find("NumberOfPoints=\"8\" NumberOfCells=\"7\"") != std::string::npos);
   const auto connectivity = array_of<std::int32_t>(text, "connectivity", "Int32");
@@ -1069,11 +1069,11 @@ TEST_CASE("Hexahedra know the subdomain that their centers are mapped to")
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
   Hexahedron_soup_3 mesh;
-  REQUIRE(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, mesh).status == VMP::OK);
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
     CHECK(mesh.cell_references[c] == (mesh.points[mesh.cells[c][0]][0] < 0.5 ? 7 : 5));
   std::ostringstream medit;
-  VMP::IO::write_MEDIT(medit, mesh);
+  PM::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find(" 7\n", medit.str().find("Hexahedra")) != std::string::npos);
 }
 
@@ -1091,7 +1091,7 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
     soup.facet_references.push_back(reference(sum / 3));
   }
   Hexahedron_soup_3 mesh, of_complex;
-  REQUIRE(VMP::make_hexahedral_mesh_3(soup, soup.points, 1, mesh).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(soup, soup.points, 1, mesh).status == VMP::OK);
   REQUIRE(mesh.facets.size() == 96);
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
   {
@@ -1103,16 +1103,16 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
   Cube_complex<> complex(cube, soup);
   for(std::size_t v = 0; v < complex.vertices.size(); ++v)
     complex.uvw.emplace(complex.vertices[v], complex.vertices[v]->point());
-  REQUIRE(VMP::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, of_complex).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(complex.c3t3, complex.uvw_map(), 1, of_complex).status == VMP::OK);
   std::vector<int> references = mesh.facet_references;
   std::replace(references.begin(), references.end(), 0, 1); // the boundary of a complex has no facet without a patch
   CHECK(of_complex.facet_references == references);
 
   std::ostringstream vtu, inp, medit;
-  VMP::IO::write_VTU(vtu, mesh);
+  PM::IO::write_VTU(vtu, mesh);
   const auto surfaces = array_of<std::int32_t>(vtu.str(), "surface", "Int32");
   CHECK(std::vector<int>(surfaces.begin() + 64, surfaces.end()) == mesh.facet_references);
-  VMP::IO::write_INP(inp, mesh);
+  PM::IO::write_INP(inp, mesh);
   for(const auto& [name, number] : { std::pair("SURFACE_3", 16), std::pair("SURFACE_11", 8), std::pair("SURFACE_12", 8) })
   {
     const std::size_t begin = inp.str().find(std::string("*SURFACE, TYPE=ELEMENT, NAME=") + name + "\n");
@@ -1122,7 +1122,7 @@ TEST_CASE("Quadrangles have the references of the facets that they lie on, of a 
     CHECK(inp.str().find(std::string("*NSET, NSET=") + name + "\n") != std::string::npos);
   }
   CHECK(inp.str().find("SURFACE_0") == std::string::npos);
-  VMP::IO::write_MEDIT(medit, mesh);
+  PM::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find(" 12\n", medit.str().find("Quadrilaterals")) != std::string::npos);
 }
 
@@ -1186,27 +1186,27 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
     p = { p[0] * 1e-5, p[1] * -1e-120, p[2] * 100. / 3 };
   mesh.cell_references.back() = 9;
   std::ostringstream out;
-  VMP::IO::write_INP(out, mesh);
+  PM::IO::write_INP(out, mesh);
   const auto sections = sections_of_inp(out.str());
   const std::string name = "hexahedra_of_a_type.inp";
   for(const std::string type : { "C3D8", "C3D8I", "C3D8R" })
   {
-    CHECK(VMP::IO::write_INP(name, mesh, type));
+    CHECK(PM::IO::write_INP(name, mesh, type));
     std::ifstream file(name);
     auto sections_of_type = sections_of_inp(std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()));
     CHECK(sections_of_type.size() == sections.size());
     CHECK(sections_of_type.count("*ELEMENT, TYPE=" + type + ", ELSET=EALL") == 1);
   }
   std::remove(name.c_str());
-  CHECK_THROWS_AS(VMP::IO::write_INP(name, mesh, "C3D4"), CGAL::Precondition_exception);
+  CHECK_THROWS_AS(PM::IO::write_INP(name, mesh, "C3D4"), CGAL::Precondition_exception);
   CHECK_FALSE(std::ifstream(name));
-  CHECK_FALSE(VMP::IO::write_INP("no/such/folder.inp", mesh));
+  CHECK_FALSE(PM::IO::write_INP("no/such/folder.inp", mesh));
 
   // groups are sets, too, each by a name of its own that these programs take
   Hexahedron_soup_3 marked = mesh;
   marked.facet_references.front() = 5;
   std::ostringstream with_groups;
-  VMP::IO::write_INP(with_groups, marked, "C3D8",
+  PM::IO::write_INP(with_groups, marked, "C3D8",
                      { { { 2, 5 }, "2nd face" }, { { 3, 0 }, "STEEL_1" }, { { 3, 9 }, "Steel 1" }, { { 3, 77 }, "of no cell" } });
   auto named = sections_of_inp(with_groups.str());
   CHECK(named.at("*ELSET, ELSET=STEEL_1") == sections.at("*ELSET, ELSET=SUBDOMAIN_0"));
@@ -1221,12 +1221,12 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   const std::map<std::pair<int, int>, std::string> groups = { { { 2, 5 }, "FACE_1" }, { { 2, 6 }, "a b" }, { { 2, 7 }, "FACE_1" },
     { { 2, 8 }, "a-b" }, { { 2, 9 }, "a_b" }, { { 2, 10 }, "Gr\u00f6\u00dfe" }, { { 2, 11 }, "" }, { { 2, 12 }, "nall" },
     { { 2, 13 }, "A_B" }, { { 2, 14 }, std::string(90, 'x') }, { { 2, 15 }, std::string(91, 'x') }, { { 3, 0 }, "a_b" } };
-  CHECK(VMP::IO::names_in_INP(groups) == std::map<std::pair<int, int>, std::string>{
+  CHECK(PM::IO::names_in_INP(groups) == std::map<std::pair<int, int>, std::string>{
     { { 2, 5 }, "FACE_1" }, { { 2, 6 }, "a_b_2" }, { { 2, 7 }, "FACE_1" }, { { 2, 8 }, "a_b_3" }, { { 2, 9 }, "a_b" },
     { { 2, 10 }, "Gr__e" }, { { 2, 11 }, "GROUP_" }, { { 2, 12 }, "nall_2" }, { { 2, 13 }, "A_B_4" },
     { { 2, 14 }, std::string(80, 'x') }, { { 2, 15 }, std::string(70, 'x') + "_2" }, { { 3, 0 }, "a_b" } });
   std::ostringstream with_faces;
-  VMP::IO::write_INP(with_faces, marked, "C3D8", groups);
+  PM::IO::write_INP(with_faces, marked, "C3D8", groups);
   named = sections_of_inp(with_faces.str());
   std::vector<std::string> both = named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_5");
   const std::vector<std::string>& other = named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_7");
@@ -1235,7 +1235,7 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
   CHECK(named.at("*SURFACE, TYPE=ELEMENT, NAME=a_b_2") == named.at("*SURFACE, TYPE=ELEMENT, NAME=SURFACE_6"));
   CHECK(named.at("*ELSET, ELSET=a_b") == sections.at("*ELSET, ELSET=SUBDOMAIN_0"));
   std::ostringstream vtu;
-  VMP::IO::write_VTU(vtu, marked, groups);
+  PM::IO::write_VTU(vtu, marked, groups);
   CHECK(vtu.str().find("Name=\"a b\"") != std::string::npos);
 
   const std::vector<std::string>& nodes = sections.at("*NODE, NSET=NALL");
@@ -1300,7 +1300,7 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
   const auto quadrangles_at_edges = [&]
   {
     std::map<std::set<std::size_t>, int> result;
-    for(const VMP::internal::Interface_quadrangle_3& q : VMP::internal::interface_quadrangles_3(boxes))
+    for(const PM::internal::Interface_quadrangle_3& q : PM::internal::interface_quadrangles_3(boxes))
       for(std::size_t i = 0; i < 4; ++i)
         ++result[{ q.vertices[i], q.vertices[(i + 1) % 4] }];
     return result;
@@ -1310,14 +1310,14 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
                             Set{ {1, 1, 1}, {2, 2, 2}, {1, 1, 2}, {0, 0, 0}, {0, 1, 0} } })
   {
     set(others);
-    VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
+    PM::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
     for(const auto& [edge, number] : quadrangles_at_edges())
       CHECK(number <= 2);
     CHECK(std::count(boxes.cell_references.begin(), boxes.cell_references.end(), 2) >= 3);
   }
   set({ {1, 1, 1}, {2, 1, 1} }); // already a manifold
   const std::vector<int> before = boxes.cell_references;
-  VMP::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
+  PM::internal::Subdomain_separation_3(boxes).run(VMP::internal::Budget());
   CHECK(boxes.cell_references == before);
 }
 
@@ -1329,22 +1329,22 @@ TEST_CASE("what the boundary of hexahedra does not cover")
                0, 4, 0, 0, 4, 0,
                0, 0, 4, 0, 0, 4;
   const std::vector<Vector3d> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
-  const VMP::internal::Body_surface_3 surface(points, { { 0, 1, 2 } }, {});
-  const VMP::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 3, 4, 5 } }, 0 };
-  std::vector<VMP::internal::Cover_of_vertex_3> covers(6);
-  VMP::internal::add_covers_3(covered, positions, 100, covers);
+  const PM::internal::Body_surface_3 surface(points, { { 0, 1, 2 } }, {});
+  const PM::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 3, 4, 5 } }, 0 };
+  std::vector<PM::internal::Cover_of_vertex_3> covers(6);
+  PM::internal::add_covers_3(covered, positions, 100, covers);
   REQUIRE(covers.size() == 6);
   CHECK(covers[1].points == std::vector<Vector3d>{ points[0] });
   CHECK(covers[5].points == std::vector<Vector3d>{ points[1], points[2] });
-  CHECK(VMP::internal::uncovered(positions, covers[0], 0.5) == 0);
-  CHECK(VMP::internal::uncovered(positions, covers[3], 0.5) == 2.5 * 2.5 + 1.5 * 1.5);
+  CHECK(PM::internal::uncovered(positions, covers[0], 0.5) == 0);
+  CHECK(PM::internal::uncovered(positions, covers[3], 0.5) == 2.5 * 2.5 + 1.5 * 1.5);
 
   // The whole wall comes nearer to one point, and goes away from the other; distances beside a triangle are to its edges.
   positions.row(0).tail(3).setConstant(11);
-  CHECK(VMP::internal::uncovered(positions, covers[3], 0.5) == 3.5 * 3.5 + 0.5 * 0.5);
+  CHECK(PM::internal::uncovered(positions, covers[3], 0.5) == 3.5 * 3.5 + 0.5 * 0.5);
   positions.row(0).tail(3).setConstant(10);
   positions.row(1).tail(3).array() += 5;
-  CHECK(std::abs(VMP::internal::uncovered(positions, covers[3], 0.5)
+  CHECK(std::abs(PM::internal::uncovered(positions, covers[3], 0.5)
                  - (std::pow(std::hypot(4, 3) - 0.5, 2) + std::pow(std::hypot(4, 2) - 0.5, 2))) < 1e-12);
 }
 
@@ -1353,15 +1353,15 @@ TEST_CASE("the middle of an edge across a valley is far")
   // Two slopes that meet in the line y = z = 0, two triangles that lead from one crest to the other over it, and a third one.
   const std::vector<Vector3d> points
     = { { -9, -2, 2 }, { 9, -2, 2 }, { -9, 0, 0 }, { 9, 0, 0 }, { -9, 2, 2 }, { 9, 2, 2 } };
-  const VMP::internal::Body_surface_3 surface(points, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 } }, {});
+  const PM::internal::Body_surface_3 surface(points, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 } }, {});
   Eigen::Matrix3Xd positions(3, 5);
   positions << 0, 0, 4, 4, 4,
               -1, 1, 1, -1, 2,
                1, 1, 1, 1, 2;
-  const VMP::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 4 } }, 0 };
-  std::vector<VMP::internal::Cover_of_vertex_3> covers(5);
+  const PM::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 4 } }, 0 };
+  std::vector<PM::internal::Cover_of_vertex_3> covers(5);
   const double distance = std::sqrt(0.5); // of a middle at z = 1 from the slopes
-  VMP::internal::add_covers_3(covered, positions, 0.7, covers);
+  PM::internal::add_covers_3(covered, positions, 0.7, covers);
   for(const auto& cover : covers)
     for(const auto& [of, edge] : cover.far_edges)
       CHECK((of == &surface && positions(1, edge[0]) == -positions(1, edge[1])));
@@ -1370,9 +1370,9 @@ TEST_CASE("the middle of an edge across a valley is far")
   CHECK(covers[2].far_edges.size() == 3);
   CHECK(covers[4].far_edges.empty());
   covers[1].points.clear();
-  CHECK(VMP::internal::uncovered(positions, covers[1], 0.5) == Approx(std::pow(distance - 0.5, 2)));
+  CHECK(PM::internal::uncovered(positions, covers[1], 0.5) == Approx(std::pow(distance - 0.5, 2)));
 
-  VMP::internal::add_covers_3(covered, positions, 0.71, covers = std::vector<VMP::internal::Cover_of_vertex_3>(5));
+  PM::internal::add_covers_3(covered, positions, 0.71, covers = std::vector<PM::internal::Cover_of_vertex_3>(5));
   CHECK(covers[0].far_edges.empty());
 }
 
@@ -1380,12 +1380,12 @@ TEST_CASE("rounding does not make corners of edges that vanish good")
 {
   Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();
   edges.col(0) *= 1e-14;
-  CHECK(VMP::internal::scaled_jacobian(edges) == Approx(1));
-  CHECK(VMP::internal::scaled_jacobian(edges, 0.01) == Approx(1e-12));
+  CHECK(PM::internal::scaled_jacobian(edges) == Approx(1));
+  CHECK(PM::internal::scaled_jacobian(edges, 0.01) == Approx(1e-12));
   edges.col(0) *= 1e13;
-  CHECK(VMP::internal::scaled_jacobian(edges, 0.01) == Approx(1));
+  CHECK(PM::internal::scaled_jacobian(edges, 0.01) == Approx(1));
   edges.col(0).setZero();
-  CHECK(VMP::internal::scaled_jacobian(edges) == 0);
+  CHECK(PM::internal::scaled_jacobian(edges) == 0);
 }
 
 // Points nearest to the facets have rounding errors, which a comparison of coordinates would miss.
@@ -1410,7 +1410,7 @@ TEST_CASE("Vertices in a plane of the body normal to an axis have its coordinate
   CHECK(numbers[1] == numbers[0]);
 
   const double height = 0.1;
-  const VMP::internal::Body_surface_3 surface({ { 0, 0, height }, { 1, 0, height }, { 0, 1, height } }, { { 0, 1, 2 } }, {});
+  const PM::internal::Body_surface_3 surface({ { 0, 0, height }, { 1, 0, height }, { 0, 1, height } }, { { 0, 1, 2 } }, {});
   for(const double z : { std::nextafter(height, 0.), std::nextafter(height, 1.), height - 1e-9 })
     CHECK(surface.without_rounding({ 0.3, 0.4, z })[2] == (std::abs(z - height) < 1e-12 ? height : z));
 }

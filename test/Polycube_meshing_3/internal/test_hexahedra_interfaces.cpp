@@ -84,7 +84,7 @@ std::map<int, double> volumes_by_centers(const Hexahedron_soup_3& mesh)
     Vector3d center = Vector3d::Zero();
     for(const std::size_t v : mesh.cells[c])
       center += vector(mesh.points[v]) / 8;
-    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
+    for(const auto& q : PM::internal::quadrangles_of_hexahedron)
       for(const std::size_t i : { 1, 2 })
       {
         Eigen::Matrix3d edges;
@@ -101,7 +101,7 @@ void check_conformity(const Hexahedron_soup_3& mesh)
 {
   std::map<std::set<std::size_t>, std::vector<std::size_t> > cells;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    for(const auto& q : VMP::internal::quadrangles_of_hexahedron)
+    for(const auto& q : PM::internal::quadrangles_of_hexahedron)
       cells[{ mesh.cells[c][q[0]], mesh.cells[c][q[1]], mesh.cells[c][q[2]], mesh.cells[c][q[3]] }].push_back(c);
   std::set<std::set<std::size_t> > boundary, interfaces;
   for(const auto& [quadrangle, of_quadrangle] : cells)
@@ -149,7 +149,7 @@ TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, w
 {
   const Body body = slanted_box();
   Hexahedron_soup_3 mesh, staircases;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.5, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 0.5, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.message == VMP::get_error_message(VMP::OK));
   CHECK(result.minimum_scaled_jacobian > 0.4);
@@ -164,7 +164,7 @@ TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, w
   for(const auto& [reference, volume] : volumes_by_centers(mesh))
     CHECK(volume == Approx(32));
   REQUIRE(result.volumes.size() == 2);
-  for(const VMP::Subdomain_volumes& volumes : result.volumes)
+  for(const PM::Subdomain_volumes& volumes : result.volumes)
   {
     CHECK(volumes.of_tetrahedra == Approx(32));
     CHECK(volumes.of_hexahedra == Approx(32));
@@ -175,7 +175,7 @@ TEST_CASE("Hexahedra on both sides of a slanted plane share quadrangles in it, w
         CHECK((k == 0 ? 1 : -1) * distance(vector(mesh.points[v])) < 1e-12);
 
   const Hexahedral_mesh_result with_staircases
-    = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.5, staircases, CGAL::parameters::do_keep_interfaces(false));
+    = PM::make_hexahedral_mesh_3(body.soup, body.images, 0.5, staircases, CGAL::parameters::do_keep_interfaces(false));
   REQUIRE(with_staircases.status == VMP::OK);
   CHECK(with_staircases.minimum_scaled_jacobian == Approx(1));
   CHECK(staircases.cells.size() == 512);
@@ -187,7 +187,7 @@ TEST_CASE("A ball in a box keeps its surface and its volume")
 {
   const Body body = ball_in_box();
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.minimum_scaled_jacobian > 0.15);
   CHECK(smallest_determinant(mesh) > 0);
@@ -205,7 +205,7 @@ TEST_CASE("Layers keep their plane interfaces without more hexahedra, also besid
   for(const Body& body : { layered_box(), box_in_corner_of_layers() })
   {
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+    const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
     REQUIRE(result.status == VMP::OK);
     CHECK(result.message == VMP::get_error_message(VMP::OK));
     CHECK(mesh.cells.size() == 64);
@@ -214,7 +214,7 @@ TEST_CASE("Layers keep their plane interfaces without more hexahedra, also besid
     check_conformity(mesh);
     REQUIRE(result.volumes.size() == 3);
     const std::map<int, double> volumes = volumes_by_centers(mesh);
-    for(const VMP::Subdomain_volumes& of_subdomain : result.volumes)
+    for(const PM::Subdomain_volumes& of_subdomain : result.volumes)
     {
       CHECK(of_subdomain.of_hexahedra == Approx(of_subdomain.of_tetrahedra));
       CHECK(volumes.at(of_subdomain.reference) == Approx(of_subdomain.of_tetrahedra));
@@ -235,7 +235,7 @@ TEST_CASE("A turned box in a box keeps its edges and corners, with a layer aroun
   },
   [&](const Vector3d& p) { return (p - middle).lpNorm<Eigen::Infinity>() < 2 ? 2 : 1; });
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.message == VMP::get_error_message(VMP::OK));
   CHECK(result.minimum_scaled_jacobian > 0.2); // without layers around sides, two edges of a quadrangle are in one line
@@ -256,7 +256,7 @@ TEST_CASE("A turned box in a box keeps its edges and corners, with a layer aroun
 
 TEST_CASE("Staircases do not replace valid hexahedra if a subdomain loses much of its volume")
 {
-  VMP::internal::Best_hexahedra_3 fitted;
+  PM::internal::Best_hexahedra_3 fitted;
   fitted.mesh.cells.emplace_back();
   fitted.result.has_valid_mesh = true;
   fitted.result.minimum_scaled_jacobian = GENERATE(0.01, 0.2); // bad, and poor
@@ -282,7 +282,7 @@ TEST_CASE("Vertices of the boundary stay on it where an interface between hexahe
                                         [=](const Vector3d& p) { return (p.head<2>().array() - 1.5).abs().maxCoeff() < 0.5
                                                                         && bottom < p[2] && p[2] < 3 ? 2 : 1; });
     Hexahedron_soup_3 mesh;
-    const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+    const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
     REQUIRE(result.status == VMP::OK);
     CHECK(result.minimum_scaled_jacobian > 0.7);
     CHECK(std::any_of(mesh.interface_facets.begin(), mesh.interface_facets.end(), [&](const auto& q)
@@ -298,7 +298,7 @@ TEST_CASE("Vertices where an interface ends in a wedge on the boundary slide alo
   // The edge y = 2, z = 4 of the wedge 2 y - 4 < z - 4 < y - 2 is on the boundary, and both of its sides are interfaces.
   const Body body = box_of_subdomains(4, same, [](const Vector3d& p) { return p[1] < 2 && p[2] < p[1] + 2 ? 2 : 1; });
   Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = VMP::make_hexahedral_mesh_3(body.soup, body.images, 0.6, mesh);
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 0.6, mesh);
   REQUIRE(result.status == VMP::OK);
   check_boundary(mesh, body);
   CHECK(result.minimum_scaled_jacobian > 0.4);
@@ -318,11 +318,11 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
         body.soup.facet_references.push_back(7);
       }
     }
-  REQUIRE(VMP::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh).status == VMP::OK);
+  REQUIRE(PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh).status == VMP::OK);
   REQUIRE(mesh.interface_facets.size() == 32);
   CHECK(std::count(mesh.interface_references.begin(), mesh.interface_references.end(), 7) == 16);
   std::ostringstream vtu, inp, medit;
-  VMP::IO::write_VTU(vtu, mesh);
+  PM::IO::write_VTU(vtu, mesh);
   const auto pairs = array_of<std::int32_t>(vtu.str(), "interface", "Int32");
   REQUIRE(pairs.size() == 2 * (64 + 96 + 32));
   for(std::size_t i = 0; i < 32; ++i)
@@ -331,7 +331,7 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
     CHECK(pairs[2 * (160 + i)] == (is_lower ? 1 : 2));
     CHECK(pairs[2 * (160 + i) + 1] == (is_lower ? 2 : 3));
   }
-  VMP::IO::write_INP(inp, mesh);
+  PM::IO::write_INP(inp, mesh);
   for(const std::string name : { "INTERFACE_1_2", "INTERFACE_2_1", "INTERFACE_2_3", "INTERFACE_3_2", "SURFACE_7" })
   {
     const std::size_t begin = inp.str().find("*SURFACE, TYPE=ELEMENT, NAME=" + name + "\n");
@@ -341,7 +341,7 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
     const bool is_above = name == "INTERFACE_2_3" || name == "INTERFACE_1_2" || name == "SURFACE_7";
     CHECK(section.find(is_above ? ", S2\n" : ", S1\n") != std::string::npos);
   }
-  VMP::IO::write_MEDIT(medit, mesh);
+  PM::IO::write_MEDIT(medit, mesh);
   CHECK(medit.str().find("\nQuadrilaterals\n128\n") != std::string::npos);
   const std::string quadrangles = medit.str().substr(medit.str().find("Quadrilaterals"));
   const auto number_of_lines = [&](const std::string& end)
@@ -355,9 +355,9 @@ TEST_CASE("Files of hexahedra have the quadrangles of interfaces, with both subd
   CHECK(number_of_lines(" 8\n") == 16); // the other interface has no marked facets: the next number
 
   mesh.interface_cells.back()[0] = mesh.interface_cells.front()[0];
-  CHECK_THROWS_AS(VMP::IO::write_VTU(vtu, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::IO::write_VTU(vtu, mesh), VMP::Input_error);
   mesh.interface_cells.pop_back();
-  CHECK_THROWS_AS(VMP::IO::write_VTU(vtu, mesh), VMP::Input_error);
+  CHECK_THROWS_AS(PM::IO::write_VTU(vtu, mesh), VMP::Input_error);
 }
 
 // Under a limit of time, staircases come first.
@@ -367,7 +367,7 @@ TEST_CASE("A limit of time that is not reached changes nothing")
   {
     Hexahedron_soup_3 with_limit, without;
     const auto mesh = [&](Hexahedron_soup_3& hexahedra, const auto& np)
-    { return VMP::make_hexahedral_mesh_3(body.soup, body.images, 2, hexahedra, np); };
+    { return PM::make_hexahedral_mesh_3(body.soup, body.images, 2, hexahedra, np); };
     const Hexahedral_mesh_result result = mesh(with_limit, CGAL::parameters::maximum_running_time(1e6));
     CHECK(mesh(without, CGAL::parameters::default_values()).message == result.message);
     CHECK(with_limit.points == without.points);

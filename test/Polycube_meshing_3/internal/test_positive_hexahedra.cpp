@@ -16,10 +16,11 @@
 #include <type_traits>
 #include <utility>
 
+namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
-using CGAL::Volume_mesh_parameterization::internal::Hexahedron_points_3;
-using CGAL::Volume_mesh_parameterization::internal::is_positive_hexahedron_3;
-using CGAL::Volume_mesh_parameterization::internal::jacobian_coefficients_3;
+using CGAL::Polycube_meshing_3::internal::Hexahedron_points_3;
+using CGAL::Polycube_meshing_3::internal::is_positive_hexahedron_3;
+using CGAL::Polycube_meshing_3::internal::jacobian_coefficients_3;
 
 namespace {
 
@@ -125,7 +126,7 @@ TEST_CASE("A polynomial that is nearly zero on any surface is given up")
   const auto is_positive = [](const double least, const auto& error) // (x + y + z - 0.9)^2 plus its minimum
   {
     using FT = std::decay_t<decltype(error)>;
-    VMP::internal::Bernstein_coefficients_3<FT> coefficients;
+    PM::internal::Bernstein_coefficients_3<FT> coefficients;
     for(int l = 0; l < 27; ++l)
     {
       const int i[3] = { l / 9, l / 3 % 3, l % 3 }, sum = i[0] + i[1] + i[2];
@@ -133,7 +134,7 @@ TEST_CASE("A polynomial that is nearly zero on any surface is given up")
       for(const int k : i)
         coefficients[l] -= FT(k == 1 ? 0.25 : 0); // of a square along an axis
     }
-    return VMP::internal::is_positive_polynomial_3(coefficients, error).value();
+    return PM::internal::is_positive_polynomial_3(coefficients, error).value();
   };
   CHECK(is_positive(0.1, 0.));
   CHECK_FALSE(is_positive(1e-12, 0.));

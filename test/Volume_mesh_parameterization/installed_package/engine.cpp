@@ -12,9 +12,10 @@ const void* address_of_engine() { return address_of_code(); }
 // Solves sparse systems.
 bool has_polycube_by_engine()
 {
+  namespace PM = CGAL::Polycube_meshing_3;
   namespace VMP = CGAL::Volume_mesh_parameterization;
   Points points, targets;
   Cells cells;
   make_grid(points, cells);
-  return VMP::Polycube_boundary_parameterizer_3().parameterize(points, cells, targets) == VMP::OK;
+  return PM::Polycube_boundary_parameterizer_3().parameterize(points, cells, targets) == VMP::OK;
 }

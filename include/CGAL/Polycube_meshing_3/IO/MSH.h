@@ -16,7 +16,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/check_hexahedra.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_writer.h>
 
-namespace CGAL::Volume_mesh_parameterization::IO {
+namespace CGAL::Polycube_meshing_3::IO {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
@@ -60,6 +60,6 @@ inline void write_MSH(std::ostream& os, const Hexahedron_soup_3& mesh,
   });
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::IO
+} // namespace CGAL::Polycube_meshing_3::IO
 
 #endif // CGAL_POLYCUBE_MESHING_3_IO_MSH_H

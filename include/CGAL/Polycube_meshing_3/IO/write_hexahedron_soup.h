@@ -25,7 +25,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization {
+namespace CGAL::Polycube_meshing_3 {
 namespace internal {
 
 // As many digits of a number as its field has room for: all 17 of most.
@@ -352,6 +352,6 @@ inline bool write_INP(const std::string& filename, const Hexahedron_soup_3& mesh
 { return internal::write_file(filename, [&](std::ostream& os) { IO::write_INP(os, mesh, element_type, group_names); }); }
 
 } // namespace IO
-} // namespace CGAL::Volume_mesh_parameterization
+} // namespace CGAL::Polycube_meshing_3
 
 #endif // CGAL_POLYCUBE_MESHING_3_IO_WRITE_HEXAHEDRON_SOUP_H

@@ -16,7 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Map of a body to a domain whose boundary facets are orthogonal to the axes, and what is wanted of its hexahedra.
 struct Hexahedra_problem_3
@@ -36,6 +36,6 @@ struct Found_hexahedra_3
   Hexahedron_soup_3 mesh;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_HEXAHEDRA_PROBLEM_3_H

@@ -13,17 +13,17 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
-#include <CGAL/Polycube_meshing_3/internal/compiled_engine.h>
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Finds hexahedra, with the layers that they need or with one along the whole boundary.
 CGAL_POLYCUBE_MESHING_3_INLINE
 Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Budget& budget);
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #ifndef CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE
 #  include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3_impl.h>

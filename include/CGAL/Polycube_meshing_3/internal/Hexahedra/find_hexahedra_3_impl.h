@@ -22,7 +22,7 @@
 
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the result for input that does not allow a mesh.
 inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
@@ -137,6 +137,6 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   return found_hexahedra_3(problem, body, interfaces, chosen, budget);
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FIND_HEXAHEDRA_3_IMPL_H

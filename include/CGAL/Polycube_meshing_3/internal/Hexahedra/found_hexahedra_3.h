@@ -21,7 +21,7 @@
 
 #include <map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
 enum class Staircases { NONE, ASKED, BETTER };
@@ -258,6 +258,6 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   return found;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FOUND_HEXAHEDRA_3_H

@@ -21,7 +21,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the direction of the edge of a polycube between faces with two labels, in which the last point lies from the first
 // one; zero if the labels have the same axis, or the points the same coordinate.
@@ -234,6 +234,6 @@ private:
   std::vector<Turnings> m_turnings; // of the borders of each chart
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_CHART_DEFECTS_3_H

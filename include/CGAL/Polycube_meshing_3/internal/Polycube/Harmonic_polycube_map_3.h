@@ -18,7 +18,7 @@
 #include <map>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Chart with the functions of which its harmonic map is a sum: one for each plane at its corners, times its coordinate.
 struct Harmonic_chart_2 : Chart_triangles_2
@@ -198,6 +198,6 @@ private:
   std::vector<Harmonic_chart_2> m_charts;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HARMONIC_POLYCUBE_MAP_3_H

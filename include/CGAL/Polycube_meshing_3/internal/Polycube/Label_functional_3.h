@@ -17,7 +17,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Terms of the functional that labels of faces lower, as Livesu et al., PolyCut: monotone graph-cuts for polycube
 // base-complex construction (2013):
@@ -57,6 +57,6 @@ private:
   std::vector<Eigen::Vector3d> m_area_vectors; // normal times area
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_LABEL_FUNCTIONAL_3_H

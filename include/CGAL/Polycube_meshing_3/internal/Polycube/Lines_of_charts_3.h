@@ -19,7 +19,7 @@
 #include <optional>
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Sharp edges inside charts as lines in faces of the polycube, each along an axis: vertices of a line get one value of the other
 // coordinate of the face. So planes of a grid through it lead along the sharp edges of the body.
@@ -289,6 +289,6 @@ private:
   std::vector<Plane> m_planes;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_LINES_OF_CHARTS_3_H

@@ -19,7 +19,7 @@
 #include <numeric>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Relabelling of a chart, with the increase of the cost of all labels.
 struct Chart_relabelling_3
@@ -340,6 +340,6 @@ private:
   std::vector<std::vector<Face> > m_ring;           // for each face, those with a vertex in common
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_NORMAL_LABELS_3_H

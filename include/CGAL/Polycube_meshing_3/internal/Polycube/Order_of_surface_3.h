@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
@@ -21,7 +22,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Order of the points and facets of a surface that depends neither on their numbers nor on the position of the surface: by the
 // distances of the points from the center of the surface. Greedy searches that visit facets one after the other then find the
@@ -124,6 +125,6 @@ private:
   std::vector<std::size_t> m_points, m_numbers, m_facets; // points and facets in this order, and the places of points in it
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ORDER_OF_SURFACE_3_H

@@ -22,7 +22,7 @@
 #include <tuple>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the number of the chart of each face, and the number of charts. Charts are connected parts of the surface with one
 // label, the preimages of the faces of the polycube.
@@ -258,6 +258,6 @@ private:
   std::vector<bool> m_is_beside_invalid;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_CHARTS_3_H

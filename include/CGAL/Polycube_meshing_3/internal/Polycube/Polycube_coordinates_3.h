@@ -23,7 +23,7 @@
 #include <limits>
 #include <tuple>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Finds the coordinates of the planes of a polycube, along their axes, that minimize
 //   sum over planes p of area(p) (x(p) - wanted coordinate of p)^2
@@ -274,6 +274,6 @@ private:
   bool m_are_separable = true;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_COORDINATES_3_H

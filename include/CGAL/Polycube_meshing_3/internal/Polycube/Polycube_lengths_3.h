@@ -26,7 +26,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Moves the faces of a polycube along their axes such that lengths on it become those on the surface: a limb that leads askew
 // to the axes gets its own length, not that of its shadow. With s and t the singular values of the harmonic map, the least
@@ -210,6 +210,6 @@ private:
   const Harmonic_polycube_map_3 m_map;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_LENGTHS_3_H

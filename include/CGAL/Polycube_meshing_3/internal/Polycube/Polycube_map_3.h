@@ -23,7 +23,7 @@
 #include <cmath>
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Maps a labelled surface onto the polycube whose faces have the directions of the labels.
 class Polycube_map_3
@@ -279,6 +279,6 @@ inline Surface_map_3 finished_map_3(Polycube_map_3& map, const Budget& budget)
   return { status, map.images() };
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_MAP_3_H

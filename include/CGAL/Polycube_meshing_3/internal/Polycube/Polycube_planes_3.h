@@ -19,7 +19,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Planes of a polycube, each with the charts that are mapped to faces in it: those of an axis that meet in a corner are. The
 // number of a plane is that of one of its charts.
@@ -80,6 +80,6 @@ inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_POLYCUBE_PLANES_3_H

@@ -19,7 +19,7 @@
 #include <cmath>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Part of a curve of sharp edges in a chart, with the axis across: that of the coordinate that is to be constant.
 struct Line_of_chart_3
@@ -147,6 +147,6 @@ private:
   std::vector<Line_of_chart_3> m_lines;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_SEARCH_FOR_LINES_3_H

@@ -23,7 +23,7 @@
 #include <set>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Search for the labels whose polycube has the least distortion.
 //
@@ -153,6 +153,6 @@ private:
   std::set<Labels> m_proposed, m_tried; // before and after repair
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_SEARCH_FOR_POLYCUBE_3_H

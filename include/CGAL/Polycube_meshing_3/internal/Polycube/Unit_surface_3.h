@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
@@ -25,7 +26,9 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
+
+using Volume_mesh_parameterization::internal::vertex_index; // not CGAL's
 
 // Surface of longest side 1 that is mapped to a polycube, and where this is to be.
 struct Unit_surface_3
@@ -97,6 +100,6 @@ struct Surface_map_3
   std::vector<Eigen::Vector3d> images = {};
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_UNIT_SURFACE_3_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
@@ -19,7 +20,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 using Boundary_polygon_2 = std::vector<Boundary_point_2>;
 
@@ -47,6 +48,6 @@ inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
   return first_hole - polygons.begin() == 1 && std::all_of(first_hole, polygons.end(), is_hole);
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ARE_NESTED_H

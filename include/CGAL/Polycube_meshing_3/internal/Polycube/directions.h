@@ -12,11 +12,13 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Directions along the axes: 0 and 1 are +x and -x, 2 and 3 are +y and -y, 4 and 5 are +z and -z.
 inline int axis_of_direction(const std::size_t direction)
@@ -48,6 +50,6 @@ void for_each_orthogonal_direction(const std::size_t d, const Function& f)
       f(e);
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_DIRECTIONS_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
@@ -21,7 +22,7 @@
 
 #include <algorithm>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the sharp edges of a surface whose images lead along no axis, joined to polylines of its points, the longest one first.
 inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numbered_surface_3& surface,
@@ -58,6 +59,6 @@ inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numb
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_FEATURES_GIVEN_UP_3_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
 #include <CGAL/number_utils.h>
@@ -24,7 +25,7 @@
 #include <map>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Normals of a surface, times parts of its area, and how far they are from the axes once they are turned.
 class Turned_normals_3
@@ -144,6 +145,6 @@ inline std::vector<Eigen::Matrix3d> frames_of_normals_3(const Boundary_mesh_3& m
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_FRAMES_OF_NORMALS_3_H

@@ -12,13 +12,13 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/compiled_engine.h>
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Surface that is to be mapped to a polycube, and how.
 struct Polycube_problem_3
@@ -46,7 +46,7 @@ struct Found_polycube_3
 CGAL_POLYCUBE_MESHING_3_INLINE
 Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budget& budget);
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #ifndef CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE
 #  include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3_impl.h>

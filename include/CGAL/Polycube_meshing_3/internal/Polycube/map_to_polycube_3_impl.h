@@ -28,7 +28,7 @@
 #include <iterator>
 #include <limits>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
 struct Separate_body_3
@@ -277,6 +277,6 @@ Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budg
   }
   return found;
 }
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_IMPL_H

@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
+
 #include <CGAL/QP_functions.h>
 #include <CGAL/QP_models.h>
 #ifdef CGAL_USE_GMP
@@ -31,7 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Number of quadratic programs, of which the solver has no quotients: those of rational numbers take longer by far.
 #ifdef CGAL_USE_GMP
@@ -206,6 +208,6 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ORDERED_COORDINATES_3_H

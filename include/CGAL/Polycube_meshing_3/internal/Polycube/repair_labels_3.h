@@ -17,7 +17,7 @@
 #include <map>
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Edge inside a chart that joins two vertices of a chain around the chart.
 struct Chain_chord_3
@@ -331,6 +331,6 @@ inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& c
   return true;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_REPAIR_LABELS_3_H

@@ -19,7 +19,7 @@
 #include <map>
 #include <memory>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Patches that meet at a place, from 1; 0 stands for the boundary of the body.
 using Patches_3 = std::set<std::size_t>;
@@ -192,6 +192,6 @@ private:
   std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_INTERFACES_3_H

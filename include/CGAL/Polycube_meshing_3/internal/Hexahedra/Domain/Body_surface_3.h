@@ -25,7 +25,7 @@
 #include <map>
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Freedom of a vertex: anywhere, on the surface, along a line, or not at all.
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
@@ -203,6 +203,6 @@ private:
   AABB_trees_3::Of_segments m_lines;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_SURFACE_3_H

@@ -21,7 +21,7 @@
 
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Checks that a map has a cell, and at the vertices of cells only finite coordinates of sizes that numbers have room for.
 inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
@@ -143,6 +143,6 @@ inline std::vector<Freedom_3> freedoms_3(const Hexahedra_3& mesh, const Body_sur
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BODY_WITH_DOMAIN_3_H

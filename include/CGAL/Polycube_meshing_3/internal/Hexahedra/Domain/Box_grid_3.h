@@ -19,7 +19,7 @@
 #include <map>
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Collects the boundary of boxes in a domain. Two quadrangles are of one face if they share an edge and are normal to the
 // same direction.
@@ -239,6 +239,6 @@ private:
   Input_check_3 m_check;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_BOX_GRID_3_H

@@ -19,7 +19,7 @@
 
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Hexahedra while they are made; the arrays are those of Hexahedron_soup_3.
 struct Hexahedra_3
@@ -69,6 +69,6 @@ inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
 template <typename Hexahedra>
 std::vector<bool> is_on_boundary(const Hexahedra& mesh) { return used_points(mesh.facets, mesh.points.size()); }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_HEXAHEDRA_3_H

@@ -19,7 +19,7 @@
 
 #include <tuple>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Quadrangles of a hexahedron, counterclockwise as seen from outside, and the axes of the hexahedron along which the second and
 // the last vertex of each lie from its first one.
@@ -97,6 +97,6 @@ inline Eigen::Vector3d area_vector(const std::vector<Eigen::Vector3d>& points, c
   return (points[c] - points[a]).cross(points[d] - points[b]) / 2;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_QUADRANGLE_OF_HEXAHEDRON_H

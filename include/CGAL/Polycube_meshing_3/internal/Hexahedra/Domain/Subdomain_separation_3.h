@@ -19,7 +19,7 @@
 #include <map>
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Changes subdomains of hexahedra until the surfaces between them are manifolds, each hexahedron to that of a neighbor. A vertex
 // is bad where the hexahedra of a subdomain, or all others with the outside, are not joined by quadrangles. No change cuts a
@@ -183,6 +183,6 @@ private:
   std::vector<std::array<std::size_t, 6> > m_neighbors; // of each hexahedron, behind its quadrangles
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_SUBDOMAIN_SEPARATION_3_H

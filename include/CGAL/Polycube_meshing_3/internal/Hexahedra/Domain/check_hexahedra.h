@@ -17,7 +17,7 @@
 
 #include <map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns which of the six quadrangles of a hexahedron has these vertices, or 6 if none has.
 inline std::size_t side_of_quadrangle(const Hexahedron_soup_3& mesh, const std::size_t cell,
@@ -76,6 +76,6 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
         throw Input_error(sentence("quadrangle ", i, " of an interface (counted from 0) is none of its hexahedra"));
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_CHECK_HEXAHEDRA_H

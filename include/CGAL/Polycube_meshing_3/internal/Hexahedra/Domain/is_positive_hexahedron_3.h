@@ -12,6 +12,8 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
+
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
 
@@ -23,7 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 template <typename FT>
 using Hexahedron_points_3 = std::array<std::array<FT, 3>, 8>; // in the order of VTK
@@ -164,6 +166,6 @@ inline bool is_positive_hexahedron_3(const Hexahedron_points_3<double>& points)
   return *is_positive_polynomial_3(jacobian_coefficients_3(exact), Exact_rational(0));
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_IS_POSITIVE_HEXAHEDRON_3_H

@@ -18,7 +18,7 @@
 
 #include <Eigen/Dense>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Corners of a hexahedron as tetrahedra: each corner and its neighbors, in an order that makes those of a cube positive.
 constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
@@ -113,6 +113,6 @@ std::vector<double> scaled_jacobians(const Hexahedra& mesh)
 inline const std::array<std::size_t, 8>& worst_hexahedron(const Hexahedra_3& mesh, const std::vector<double>& quality)
 { return mesh.cells[std::min_element(quality.begin(), quality.end()) - quality.begin()]; }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_SCALED_JACOBIANS_H

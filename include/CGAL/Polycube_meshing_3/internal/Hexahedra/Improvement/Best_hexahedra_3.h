@@ -18,7 +18,7 @@
 
 #include <numeric>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
 // tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
@@ -149,6 +149,6 @@ inline bool is_better_as_staircases(const Hexahedral_mesh_result& staircases, co
     && staircases.interface_distance <= fitted.result.interface_distance + rounding_of_interfaces * fitted.edge;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_BEST_HEXAHEDRA_3_H

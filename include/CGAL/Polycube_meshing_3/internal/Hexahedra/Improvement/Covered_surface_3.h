@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 using Triangles_of_boundary = std::vector<std::array<int, 3> >; // triangles of hexahedra on the boundary
 
@@ -196,6 +196,6 @@ inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cov
   return sum;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_COVERED_SURFACE_3_H

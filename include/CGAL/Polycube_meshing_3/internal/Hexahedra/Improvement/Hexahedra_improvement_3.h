@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Sliding_hexahedra_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Improves hexahedra, and gives the best ones that it meets to others.
 class Hexahedra_improvement_3
@@ -178,6 +178,6 @@ private:
   Hexahedral_mesh_result m_result; // of the hexahedra as they are
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_HEXAHEDRA_IMPROVEMENT_3_H

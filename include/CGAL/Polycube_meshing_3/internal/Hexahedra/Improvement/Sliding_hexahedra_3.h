@@ -20,7 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Corners that vertices move for: all alike, the poor ones first, or the worst ones, whose edges may have any lengths.
 enum class Corners_to_improve { ALL, POOR, WORST_ANGLES };
@@ -295,6 +295,6 @@ private:
   const Budget& m_budget;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_SLIDING_HEXAHEDRA_3_H

@@ -18,7 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/minimize_untangling_energy_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // The aims for the corners of hexahedra, and how they are pursued.
 struct Corner_goals_3
@@ -109,6 +109,6 @@ inline Matrix3Xd improve_corners_3(const Numbered_mesh_3& mesh, const Corner_goa
     : minimize_energy_3(system, Cell_energy_of<Untangling_energy_3>(energy), positions, progress).positions;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_IMPROVE_CORNERS_3_H

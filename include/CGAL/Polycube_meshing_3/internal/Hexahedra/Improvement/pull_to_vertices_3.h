@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_corners_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
 // may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
@@ -61,6 +61,6 @@ inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& po
                   { pull_point_3(middle.point, triangle, middle.nearest, positions, covered.tolerance, weight, goals); });
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_PULL_TO_VERTICES_3_H

@@ -21,7 +21,7 @@
 
 #include <limits>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 using Corners_of_vertex = std::vector<std::array<int, 4> >;    // corners that have the vertex
 using Hexahedra_of_vertex = std::vector<std::array<int, 8> >; // hexahedra that have the vertex and are watched all over
@@ -152,6 +152,6 @@ inline void smooth_hexahedra_3(const std::vector<std::array<int, 4> >& corners,
     }
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_IMPROVEMENT_SMOOTH_HEXAHEDRA_3_H

@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_interfaces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Quadrangle between hexahedra of two subdomains, as a side of both, the smaller reference first, and the patch of the
 // body's interfaces that it belongs to; 0 if it has none.
@@ -167,6 +167,6 @@ inline Interface_positions_3 interface_positions_3(const Hexahedra_3& mesh,
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_POSITIONS_3_H

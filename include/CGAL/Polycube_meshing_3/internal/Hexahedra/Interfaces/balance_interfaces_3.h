@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Moves vertices inside of curved patches off the interface, towards the outside of their curvature, such that quadrangles are
 // on both sides of the interface alike: with all vertices on a sphere its volume would be lost to the chords. No hexahedron
@@ -63,6 +63,6 @@ inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedra_3& mes
   }
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_BALANCE_INTERFACES_3_H

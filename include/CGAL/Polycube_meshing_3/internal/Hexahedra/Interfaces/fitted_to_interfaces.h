@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/sides_with_layer_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Moves the vertices on interfaces, in the domain, to the images of their positions, but not out of planes of the boundary.
 inline void move_to_images_of_positions(const Body_with_domain_3& body, const Interface_positions_3& positions,
@@ -74,6 +74,6 @@ inline Fitted_hexahedra_3 fitted_to_interfaces(const Body_with_domain_3& body, H
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_FITTED_TO_INTERFACES_H

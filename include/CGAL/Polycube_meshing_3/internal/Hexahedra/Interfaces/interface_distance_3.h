@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Measures the distances of the vertices, the middles of edges and the centers of quadrangles from the interface of their
 // subdomains, and those of the vertices of interfaces from the quadrangles.
@@ -45,6 +45,6 @@ inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_int
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_DISTANCE_3_H

@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Moves to each marked corner of the boundary the vertex with the nearest image: along its line to a corner on a line, else on the
 // surface. A corner without one up to the spacing, as where corners are closer to each other, is given up. Vertices on
@@ -57,6 +57,6 @@ inline std::vector<std::array<double, 3> > corners_given_up_3(const Body_with_do
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_MOVE_TO_CORNERS_3_H

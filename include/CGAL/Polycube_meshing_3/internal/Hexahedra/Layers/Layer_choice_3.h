@@ -16,7 +16,7 @@
 
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Edge of a hexahedron on an edge of the domain, with the quadrangles on both sides.
 struct Edge_of_domain_3
@@ -162,6 +162,6 @@ inline std::vector<Quadrangle_of_hexahedron> quadrangles_in(const Hexahedra_3& m
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYER_CHOICE_3_H

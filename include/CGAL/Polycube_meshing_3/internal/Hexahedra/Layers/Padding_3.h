@@ -17,7 +17,7 @@
 #include <limits>
 #include <map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
 inline int axis_of_facet(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& facet)
@@ -172,6 +172,6 @@ private:
   std::map<Vertex_in_part, std::size_t> m_copies;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_PADDING_3_H

@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the sides of quadrangles of interfaces that get a layer of hexahedra, such that no hexahedron has two quadrangles in
 // one patch, which is smooth: a layer covers all interfaces of a subdomain that vertices join.
@@ -98,6 +98,6 @@ inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H

@@ -19,7 +19,7 @@
 
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Gives each face of the surface of a body with handles the label and the coordinate that its image has on a box with as
 // many holes, which lead from the bottom to the top and are in a row from left to right. The lines of the box separate the
@@ -262,6 +262,6 @@ private:
   std::vector<std::size_t> m_chart; // charts of faces: the top, the bottom, and four sides of each ring
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_BOX_WITH_HOLES_3_H

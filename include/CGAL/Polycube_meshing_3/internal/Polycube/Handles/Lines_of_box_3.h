@@ -18,7 +18,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Crossing of a line and a meridian at the vertex of the meridian with an index.
 struct Crossing_3
@@ -285,6 +285,6 @@ private:
   std::vector<int> m_uses;            // numbers of lines at vertices
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_LINES_OF_BOX_3_H

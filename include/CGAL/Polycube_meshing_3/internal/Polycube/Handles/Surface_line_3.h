@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 
@@ -22,7 +23,9 @@
 #include <cmath>
 #include <numeric>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
+
+using Volume_mesh_parameterization::internal::vertex_index; // not CGAL's
 
 using Surface_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
 
@@ -106,6 +109,6 @@ inline Surface_line_3 line_along(const Boundary_mesh_3& mesh, const std::vector<
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_SURFACE_LINE_3_H

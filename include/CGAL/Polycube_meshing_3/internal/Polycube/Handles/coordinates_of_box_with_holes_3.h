@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Measures of a surface for a box with holes in a row from left to right.
 struct Measures_of_box_3
@@ -87,6 +87,6 @@ inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_COORDINATES_OF_BOX_WITH_HOLES_3_H

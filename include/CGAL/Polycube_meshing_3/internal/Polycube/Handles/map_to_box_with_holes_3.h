@@ -17,7 +17,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the coordinates of the charts of a box with holes, after some faces have changed their charts; none if charts have
 // been divided, or edges are not along an axis.
@@ -160,6 +160,6 @@ inline Surface_map_3 map_to_box_with_holes_3(const Unit_surface_3& surface, cons
   return { !best.images.empty() ? OK : has_meridians ? ERROR_BOUNDARY_TOO_COARSE : ERROR_NO_POLYCUBE, best.images };
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_MAP_TO_BOX_WITH_HOLES_3_H

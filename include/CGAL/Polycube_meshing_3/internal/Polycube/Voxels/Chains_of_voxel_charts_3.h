@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Chain between two charts of placed faces of voxels, from corner to corner.
 struct Chain_of_voxel_charts_3
@@ -113,6 +113,6 @@ private:
   std::vector<Chain_of_voxel_charts_3> m_chains;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_CHAINS_OF_VOXEL_CHARTS_3_H

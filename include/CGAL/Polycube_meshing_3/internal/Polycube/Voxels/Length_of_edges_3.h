@@ -20,7 +20,7 @@
 #include <set>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Length of edges with which chains between charts of placed faces of voxels can be drawn on a surface: short ones at the
 // chains, and elsewhere as long as they are far from these.
@@ -74,6 +74,6 @@ private:
   Nearest_with_normal_3 m_nearest;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_LENGTH_OF_EDGES_3_H

@@ -19,7 +19,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns for each set of octants around a point whether the boundary between them and the others is a disc there.
 class Octants_3
@@ -202,6 +202,6 @@ inline bool make_surface_of_characteristic(Voxels_3& voxels, const double least_
          && characteristic_of_voxels_3(voxels, Eigen::Vector3i::Zero(), voxels.size) == characteristic;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H

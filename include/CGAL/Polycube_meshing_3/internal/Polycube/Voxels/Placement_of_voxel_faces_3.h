@@ -21,7 +21,7 @@
 #include <array>
 #include <limits>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Finds among points with normals the one nearest to another point and normal: a tree in six dimensions.
 class Nearest_with_normal_3
@@ -172,6 +172,6 @@ inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, co
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_PLACEMENT_OF_VOXEL_FACES_3_H

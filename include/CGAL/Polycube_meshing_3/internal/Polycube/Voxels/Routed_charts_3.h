@@ -19,7 +19,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Finds charts on a surface that are connected like those of placed faces of voxels: their chains become paths that share no
 // vertices but corners, and leave these in the right order.
@@ -178,6 +178,6 @@ private:
   Boundary_mesh_3 m_mesh;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_ROUTED_CHARTS_3_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@
 #include <set>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Triangulated surface whose edges are split at their midpoints. The splits are those of the edges one after the other, so that
 // they can be made in a tetrahedral mesh, too.
@@ -149,6 +150,6 @@ struct Facets_3
   }
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_SPLIT_SURFACE_3_H

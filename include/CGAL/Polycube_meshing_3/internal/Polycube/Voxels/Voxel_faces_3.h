@@ -20,7 +20,7 @@
 #include <map>
 #include <utility>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the face of the boundary of voxels that has an edge with a face in a direction. Face `6 * v + d` is that of voxel v in
 // the direction d.
@@ -236,6 +236,6 @@ inline bool have_pieces_the_corners_of_charts(const Charts_of_voxels_3& charts, 
   return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_pieces));
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_FACES_3_H

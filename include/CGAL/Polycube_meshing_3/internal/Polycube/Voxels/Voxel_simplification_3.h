@@ -24,7 +24,7 @@
 #include <set>
 #include <unordered_map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Pieces of a surface that keep together while the polycube changes, one for each face of the voxels at first, and what labels
 // of them cost.
@@ -306,6 +306,6 @@ private:
   std::mt19937 m_random; // of a fixed seed
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXEL_SIMPLIFICATION_3_H

@@ -22,7 +22,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Body of voxels in a box, with three layers free on each side.
 struct Voxels_3
@@ -147,6 +147,6 @@ Voxels_3 voxels_of_surface_3(const std::vector<Eigen::Vector3d>& points, const F
   return voxels;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VOXELS_3_H

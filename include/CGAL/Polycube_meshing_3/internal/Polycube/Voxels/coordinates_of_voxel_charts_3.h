@@ -18,7 +18,7 @@
 
 #include <map>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns coordinates of charts that keep the order of the planes of the voxels along each axis, with a gap between planes at
 // least: the polycube stays embedded, as space is mapped by monotone functions of the coordinates. Among such coordinates, they
@@ -60,6 +60,6 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_COORDINATES_OF_VOXEL_CHARTS_3_H

@@ -22,7 +22,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/relax_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Map of a surface to a polycube of voxels, with the edges that are split for it one after the other, each at its midpoint.
 struct Map_to_voxels_3
@@ -213,6 +213,6 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
   return best;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MAP_TO_VOXELS_3_H

@@ -16,7 +16,7 @@
 
 #include <algorithm>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the charts of the facets that have a vertex with a facet, in their order around it: each run of facets with one chart
 // counts once.
@@ -83,6 +83,6 @@ inline void relax_charts_3(const Boundary_mesh_3& mesh, const Label_functional_3
   }
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_RELAX_CHARTS_3_H

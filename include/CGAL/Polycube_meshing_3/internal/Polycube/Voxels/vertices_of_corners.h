@@ -20,7 +20,9 @@
 #include <optional>
 #include <set>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
+
+using Volume_mesh_parameterization::internal::vertex_index; // not CGAL's
 
 // Returns the neighbors of a vertex, counterclockwise as seen from outside.
 inline std::vector<std::size_t> vertices_around(const Boundary_mesh_3& mesh, const std::size_t v)
@@ -155,6 +157,6 @@ inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Spli
   return result;
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_VERTICES_OF_CORNERS_H

@@ -7,10 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_BASIC_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_BASIC_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
 // CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE, a macro that the target CGAL::Polycube_meshing_3_engine defines, means the same for
 // this package as CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE for the other one.
@@ -23,4 +26,13 @@
 #  define CGAL_POLYCUBE_MESHING_3_INLINE inline
 #endif
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_COMPILED_ENGINE_H
+namespace CGAL::Polycube_meshing_3::internal {
+
+// The inside of this package uses that of the other one.
+using namespace Volume_mesh_parameterization;
+using namespace Volume_mesh_parameterization::internal;
+using Volume_mesh_parameterization::internal::Vector_3; // not CGAL's
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_BASIC_H
