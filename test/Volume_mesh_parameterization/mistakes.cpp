@@ -24,7 +24,6 @@
 #include <unordered_map>
 #include <vector>
 
-namespace PM = CGAL::Polycube_meshing_3;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 namespace params = CGAL::parameters;
 
@@ -108,8 +107,8 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   std::unordered_map<std::size_t, K::Point_3> start;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::initial_map(VMP::make_vertex_point_map(start)));
 #elif defined HEXAHEDRA_OF_A_CONTAINER
-  PM::Hexahedron_soup_3 hexahedra;
-  PM::make_hexahedral_mesh_3(c3t3, uvw, 0.1, hexahedra);
+  CGAL::Polycube_meshing_3::Hexahedron_soup_3 hexahedra;
+  CGAL::Polycube_meshing_3::make_hexahedral_mesh_3(c3t3, uvw, 0.1, hexahedra);
 #elif defined MAP_OF_A_CONTAINER
   VMP::Volume_map_3 map(c3t3, uvw);
 #elif defined VISITOR_RETURNS_NOTHING
@@ -135,8 +134,8 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
 #elif defined UNKNOWN_PARAMETER_OF_BOUNDARY
   VMP::Ball_boundary_parameterizer_3().parameterize(c3t3, uvw_map, params::number_of_iterations(10));
 #elif defined UNKNOWN_PARAMETER_OF_HEXAHEDRA
-  PM::Hexahedron_soup_3 hexahedra;
-  PM::make_hexahedral_mesh_3(c3t3, uvw_map, 0.1, hexahedra, params::verbose(true));
+  CGAL::Polycube_meshing_3::Hexahedron_soup_3 hexahedra;
+  CGAL::Polycube_meshing_3::make_hexahedral_mesh_3(c3t3, uvw_map, 0.1, hexahedra, params::verbose(true));
 #else
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map); // none
 #endif
