@@ -134,7 +134,7 @@ void map_to_hexahedra(const std::string& source, const std::string& domain, cons
   const VMP::Parameterization_result map
     = CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(
       c3t3, VMP::make_vertex_point_map(uvw),
-      params::boundary_map(VMP::make_vertex_point_map(target)).do_refine(true));
+      params::boundary_map(VMP::make_vertex_point_map(target)).refinement_mode(VMP::Refinement_mode::HELPFUL));
   if(map.boundary_residual != 0)
   {
     std::cout << "status: no map: " << map.message << std::endl;

@@ -53,7 +53,8 @@ struct Body
     if(status != VMP::OK)
       throw std::runtime_error(VMP::get_error_message(status));
     const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-      c3t3, VMP::make_vertex_point_map(uvw), CGAL::parameters::boundary_map(target_map).do_refine(true));
+      c3t3, VMP::make_vertex_point_map(uvw), CGAL::parameters::boundary_map(target_map)
+                                                  .refinement_mode(VMP::Refinement_mode::HELPFUL));
     std::cout << filename << ": " << result.number_of_cells << " cells. " << result.message << std::endl;
     if(!result.has_valid_map || result.boundary_residual > 0)
       throw std::runtime_error("The body has no map to the ball.");

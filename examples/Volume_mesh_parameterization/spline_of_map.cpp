@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iostream>
 #include <unordered_map>
+#include <vector>
 
 using Eigen::MatrixXd;
 using Spline = Eigen::Spline<double, 1>;
@@ -62,10 +63,16 @@ int main(int argc, char* argv[])
   const VMP::Volume_map_3 map(body, uvw_map);
   Spline::KnotVectorType knots(intervals + 2 * degree + 1);
   knots << Eigen::RowVectorXd::Zero(degree), Eigen::RowVectorXd::LinSpaced(intervals + 1, 0, 1), Eigen::RowVectorXd::Ones(degree);
-  const auto preimages_on_grid = [&](const std::size_t n)
+  const auto preimages_on_grid = [&](const int n)
   {
-    const auto grid = VMP::evaluate_on_grid(map, CGAL::Bbox_3(-0.5, -0.5, -0.5, 0.5, 0.5, 0.5), { n, n, n });
-    return MatrixXd(Eigen::Map<const Eigen::Matrix3Xd>(grid.preimages.front().data(), 3, n * n * n).transpose());
+    std::vector<Point_3> grid; // x changes first, then y, then z
+    for(int i = 0; i < n * n * n; ++i)
+      grid.emplace_back(double(i % n) / (n - 1) - 0.5, double(i / n % n) / (n - 1) - 0.5, double(i / (n * n)) / (n - 1) - 0.5);
+    MatrixXd preimages(grid.size(), 3);
+    const auto locations = map.nearest_preimages(grid);
+    for(int i = 0; i < n * n * n; ++i)
+      preimages.row(i) << locations[i]->point.x(), locations[i]->point.y(), locations[i]->point.z();
+    return preimages;
   };
   const MatrixXd coefficients = multiply_along_axes(
     values_of_splines(knots, 25).completeOrthogonalDecomposition().pseudoInverse(), preimages_on_grid(25));

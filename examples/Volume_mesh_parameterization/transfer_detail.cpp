@@ -55,7 +55,8 @@ int main(int argc, char* argv[])
   }
   const auto carried_map = VMP::make_vertex_point_map(carried);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    target, carried_map, params::boundary_map(VMP::make_vertex_point_map(displaced)).do_refine(true));
+    target, carried_map, params::boundary_map(VMP::make_vertex_point_map(displaced))
+                                 .refinement_mode(VMP::Refinement_mode::HELPFUL));
   std::cout << result.message << " Distortion of volumes: at most " << result.distortion.volume_max << std::endl;
   return result.status == VMP::OK && VMP::IO::write_VTU("bumpy_ball.vtu", source, source_map)
       && VMP::IO::write_VTU("transferred_detail.vtu", target, carried_map) ? EXIT_SUCCESS : EXIT_FAILURE;

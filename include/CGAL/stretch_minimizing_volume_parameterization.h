@@ -43,7 +43,7 @@ predicates on the written coordinates check that no cell is inverted.
         `C3t3::Triangulation::Geom_traits::Point_3` as value type
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param c3t3 the complex; it is modified only if it may be refined (see `do_refine`), and may be constant otherwise. Its
+\param c3t3 the complex; it is modified only if it may be refined (see `refinement_mode`), and may be constant otherwise. Its
        cells may have several subdomains and connected components; vertices without a cell are ignored.
 \param uvw_map receives the image of each vertex of a cell if the map is valid (see
        `Parameterization_result::has_valid_map`), and does not change otherwise. Its points may have coordinates of a type
@@ -118,28 +118,18 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamType{`double`}
     \cgalParamDefault{no bound}
     \cgalParamExtra{The status reports whether the bound is met. If it is missed, the energy has at most doubled. The bound is
-                    ignored if the boundary is missed.}
-    \cgalParamPrecondition{The value is larger than 2.}
-  \cgalParamNEnd
-  \cgalParamNBegin{minimize_maximum_angle_distortion}
-    \cgalParamDescription{whether the largest distortion of angles is made as small as possible, up to 2 %}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`false`}
-    \cgalParamExtra{This takes several times as long as the minimization. It is ignored if the boundary is missed.}
-  \cgalParamNEnd
-  \cgalParamNBegin{do_refine}
-    \cgalParamDescription{whether the complex may be refined if the boundary cannot be reached otherwise, and in bridges
-                          (\ref VMPRefinement)}
-    \cgalParamType{Boolean}
-    \cgalParamDefault{`true` if a boundary parameterizer finds the images and the complex, or the arrays, are not constant;
-                      `false` if the images are given}
-    \cgalParamExtra{New vertices receive images, too. The complex stays refined whatever the status is.}
-    \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
+                    ignored if the boundary is missed.
+                    With `Volume_mesh_parameterization::least_angle_distortion`, the largest distortion is made as small as
+                    possible, up to 2 %. This takes several times as long as the minimization, and does not change the status.}
+    \cgalParamPrecondition{The value is `least_angle_distortion`, which is 2, or larger.}
   \cgalParamNEnd
   \cgalParamNBegin{refinement_mode}
-    \cgalParamDescription{which vertices refinement may add}
+    \cgalParamDescription{which vertices may be added to the complex if the boundary cannot be reached otherwise, or if they help
+                          (\ref VMPRefinement)}
     \cgalParamType{`Volume_mesh_parameterization::Refinement_mode`}
-    \cgalParamDefault{`Refinement_mode::HELPFUL`}
+    \cgalParamDefault{`Refinement_mode::HELPFUL` if a boundary parameterizer finds the images and the complex, or the arrays, are
+                      not constant; `Refinement_mode::NONE` if the images are given}
+    \cgalParamExtra{New vertices receive images, too. The complex stays refined whatever the status is.}
     \cgalParamPrecondition{`c3t3` is not constant, whatever the value is; otherwise the program is not compiled.}
   \cgalParamNEnd
   \cgalParamNBegin{initial_map}
@@ -256,7 +246,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   using Point_3 = typename C3t3::Triangulation::Geom_traits::Point_3;
 
   constexpr bool has_boundary_map = !parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value;
-  constexpr bool has_do_refine = VMP::internal::has_do_refine<NamedParameters>;
+  constexpr bool has_refinement_mode = VMP::internal::has_refinement_mode<NamedParameters>;
   static_assert(VMP::internal::Is_map_of<VertexUVWMap, Vertex_handle>::value,
                 "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
   static_assert(VMP::internal::Can_hold<VertexUVWMap, Point_3>::value,
@@ -264,13 +254,12 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   static_assert(!has_boundary_map
                 || parameters::is_default_parameter<NamedParameters, internal_np::boundary_parameterizer_t>::value,
                 "boundary_map and boundary_parameterizer must not both be passed: each gives the images of the boundary.");
-  static_assert(!(has_do_refine && std::is_const<C3t3>::value),
-                "do_refine must not be passed for a constant complex, which cannot be refined.");
-  VMP::internal::check_refinement_mode<NamedParameters, !std::is_const<C3t3>::value>();
+  static_assert(!(has_refinement_mode && std::is_const<C3t3>::value),
+                "refinement_mode must not be passed for a constant complex, which cannot be refined.");
 
   return VMP::internal::run_problem<ConcurrencyTag>(np, [&](const VMP::internal::Map_problem_3& problem)
   {
-    constexpr bool may_refine = !std::is_const<C3t3>::value && (has_do_refine || !has_boundary_map);
+    constexpr bool may_refine = !std::is_const<C3t3>::value && (has_refinement_mode || !has_boundary_map);
     VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
     body.image_type = VMP::internal::coordinate_type_of_map<VertexUVWMap, Point_3>();
     const auto vertex = [&](const std::size_t p) { return body.vertices[p]; };

@@ -167,7 +167,7 @@ public:
       m_targets[random.below(m_targets.size())][random.below(3)] = random.extreme_number();
     m_mode = random.pick({VMP::Boundary_mode::AUTO, VMP::Boundary_mode::FIXED, VMP::Boundary_mode::SOFT});
     m_refinement = random.pick({VMP::Refinement_mode::HELPFUL, VMP::Refinement_mode::NEEDED, VMP::Refinement_mode::BOUNDARY});
-    m_do_refine = random.one_in(3);
+    m_may_refine = random.one_in(3);
     m_number_of_iterations = random.pick({1000, 1000, 3});
   }
 
@@ -256,9 +256,9 @@ private:
     Mapped<NT> mapped;
     mapped.soup = m_soup;
     const VMP::Tetrahedron_soup_3& constant = m_soup;
-    mapped.result = m_do_refine
+    mapped.result = m_may_refine
       ? CGAL::stretch_minimizing_volume_parameterization<ConcurrencyTag>(
-          mapped.soup, m_targets, mapped.images, np.do_refine(true).refinement_mode(m_refinement))
+          mapped.soup, m_targets, mapped.images, np.refinement_mode(m_refinement))
       : CGAL::stretch_minimizing_volume_parameterization<ConcurrencyTag>(constant, m_targets, mapped.images, np);
     return mapped;
   }
@@ -315,7 +315,7 @@ private:
   Vector3d m_low = Vector3d::Constant(std::numeric_limits<double>::infinity()), m_high = -m_low;
   VMP::Boundary_mode m_mode = VMP::Boundary_mode::AUTO;
   VMP::Refinement_mode m_refinement = VMP::Refinement_mode::HELPFUL;
-  bool m_do_refine = false;
+  bool m_may_refine = false;
   int m_number_of_iterations = 0;
 };
 

@@ -163,7 +163,7 @@ private:
   void choose_parameters(Random& random)
   {
     m_mode = random.pick({VMP::Boundary_mode::AUTO, VMP::Boundary_mode::FIXED, VMP::Boundary_mode::SOFT});
-    m_do_refine = random.one_in(3);
+    m_refinement_mode = random.one_in(3) ? VMP::Refinement_mode::HELPFUL : VMP::Refinement_mode::NONE;
     m_do_slide = random.one_in(3);
     m_number_of_iterations = random.below(61);
     m_seconds = random.pick({0., 1e-3, 0.1, 100., 100., 100.});
@@ -196,7 +196,7 @@ private:
                        .energy(m_energy)
                        .solver_traits(std::ref(solver))
                        .boundary_mode(m_mode)
-                       .do_refine(m_do_refine)
+                       .refinement_mode(m_refinement_mode)
                        .do_slide_boundary(m_do_slide)
                        .soft_boundary_parameters(m_soft)
                        .positional_constraints(m_constraints)
@@ -212,11 +212,13 @@ private:
     return result.status;
   }
 
+  bool may_refine() const { return m_refinement_mode != VMP::Refinement_mode::NONE; }
+
   void check_limits(const VMP::Parameterization_result& result) const
   {
     // Three stages and one more that slides; with refinement, a search for edges as well, and all of them again after each
     // round. A round adds at least one vertex, but for two that may be in vain.
-    const std::size_t number_of_stages = m_do_refine ? 5 * (3 + result.number_of_added_vertices) : 4;
+    const std::size_t number_of_stages = may_refine() ? 5 * (3 + result.number_of_added_vertices) : 4;
     expect(result.number_of_iterations <= number_of_stages * m_number_of_iterations, "the number of iterations is respected");
     expect(m_visitor.number_of_steps == result.number_of_iterations, "the visitor is told of each step");
     expect(m_visitor.number_of_steps <= m_visitor.limit, "the visitor ends the computation");
@@ -233,7 +235,7 @@ private:
     expect(result.number_of_vertices == vertices_of_cells(m_c3t3).size(), "the number of vertices is right");
     expect(result.number_of_vertices == number_of_vertices + result.number_of_added_vertices,
            "the number of added vertices is right");
-    expect(m_do_refine || result.number_of_added_vertices == 0, "nothing is refined unless asked for");
+    expect(may_refine() || result.number_of_added_vertices == 0, "nothing is refined unless asked for");
     expect(m_do_slide || result.number_of_sliding_vertices == 0, "nothing slides unless asked for");
   }
 
@@ -269,7 +271,7 @@ private:
   std::vector<VMP::Linear_constraint_3<Vertex_handle> > m_constraints;
   VMP::Soft_boundary_parameters m_soft;
   VMP::Boundary_mode m_mode = VMP::Boundary_mode::AUTO;
-  bool m_do_refine = false;
+  VMP::Refinement_mode m_refinement_mode = VMP::Refinement_mode::NONE;
   bool m_do_slide = false;
   std::size_t m_number_of_iterations = 0;
   double m_seconds = 0;

@@ -72,14 +72,13 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
   std::unordered_map<Vertex_handle, double> numbers;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, boost::make_assoc_property_map(numbers));
 #elif defined CONSTANT_COMPLEX_IS_REFINED
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::do_refine(true));
-#elif defined CONSTANT_BOUNDARY_IS_REFINED
-  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::refinement_mode(VMP::Refinement_mode::BOUNDARY));
+  CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::refinement_mode(VMP::Refinement_mode::HELPFUL));
 #elif defined CONSTANT_ARRAYS_ARE_REFINED
   const std::vector<std::array<double, 3> > points;
   const std::vector<std::array<std::size_t, 4> > cells;
   std::vector<std::array<double, 3> > images;
-  CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images, params::do_refine(true));
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images,
+                                                   params::refinement_mode(VMP::Refinement_mode::HELPFUL));
 #elif defined IMAGES_ARE_MISSING
   std::vector<std::array<double, 3> > points;
   std::vector<std::array<std::size_t, 4> > cells;

@@ -231,7 +231,8 @@ TEST_CASE("A body that touches itself in an edge is mapped to a ball once cells 
     give_copies(soup, v);
   REQUIRE(ball.parameterize(soup.points, soup.cells, targets) == VMP::OK);
   Points images;
-  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, params::do_refine(true)).boundary_residual
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, targets, images,
+                                                         params::refinement_mode(VMP::Refinement_mode::HELPFUL)).boundary_residual
         == 0);
 }
 
@@ -368,9 +369,9 @@ TEST_CASE("Refinement is no advice where it was allowed, and ends where it bring
     for(std::size_t i = 0; i < 3; ++i)
       nearer[v][i] = soup.points[v][i] + 1e-3 * (targets[v][i] - soup.points[v][i]);
   CHECK(has(CGAL::stretch_minimizing_volume_parameterization(coarse, targets, images, np).message,
-            "Allow refinement (do_refine(true), for a mesh that is not constant), or prescribe"));
+            "Allow refinement (refinement_mode(VMP::Refinement_mode::HELPFUL), for a mesh that is not constant), or prescribe"));
   const VMP::Parameterization_result result
-    = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.do_refine(true));
+    = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.refinement_mode(VMP::Refinement_mode::HELPFUL));
   INFO(result.message);
   CHECK(result.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
   CHECK(result.number_of_added_vertices > 0);

@@ -168,7 +168,8 @@ TEST_CASE("Nothing at all is answered by all functions of arrays and complexes")
   CHECK(CGAL::stretch_minimizing_volume_parameterization(none, no_cells, none, images).status == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(CGAL::stretch_minimizing_volume_parameterization<CGAL::Parallel_if_available_tag>(soup, none, images).status
         == VMP::ERROR_EMPTY_COMPLEX);
-  CHECK(CGAL::stretch_minimizing_volume_parameterization(none, no_cells, none, images, params::do_refine(true)).status
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(none, no_cells, none, images,
+                                                         params::refinement_mode(VMP::Refinement_mode::HELPFUL)).status
         == VMP::ERROR_EMPTY_COMPLEX);
   CHECK(VMP::make_parameterizable(none, no_cells) == 0);
   CHECK(VMP::cell_distortions(none, no_cells, none).empty());

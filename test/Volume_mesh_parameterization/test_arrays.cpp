@@ -345,7 +345,7 @@ TEST_CASE("A boundary parameterizer is an argument, and leads to the map of its 
     Points targets, expected, images;
     REQUIRE(parameterizer.parameterize(body.soup.points, body.cells, targets) == VMP::OK);
     const auto of_targets = CGAL::stretch_minimizing_volume_parameterization(
-      body.soup.points, body.cells, targets, expected, params::do_refine(true));
+      body.soup.points, body.cells, targets, expected, params::refinement_mode(VMP::Refinement_mode::HELPFUL));
     REQUIRE(of_targets.status == VMP::OK);
 
     const VMP::Tetrahedron_soup_3 constant = body.soup;
@@ -450,7 +450,7 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
   Int_cells cells = fan.cells;
   CHECK(CGAL::stretch_minimizing_volume_parameterization(fan.points, fan.cells, fan.targets, images).status != VMP::OK);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    points, cells, fan.targets, images, params::do_refine(true));
+    points, cells, fan.targets, images, params::refinement_mode(VMP::Refinement_mode::HELPFUL));
   REQUIRE(result.status == VMP::OK);
   REQUIRE(result.number_of_added_vertices > 0);
   REQUIRE(points.size() == fan.points.size() + result.number_of_added_vertices);
@@ -471,7 +471,8 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
   for(std::size_t v = 0; v + 1 < vertices.size(); ++v)
     target[vertices[v]] = Point_3(fan.targets[v][0], fan.targets[v][1], fan.targets[v][2]);
   const VMP::Parameterization_result of_complex = CGAL::stretch_minimizing_volume_parameterization(
-    c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(VMP::make_vertex_point_map(target)).do_refine(true));
+    c3t3, VMP::make_vertex_point_map(uvw), params::boundary_map(VMP::make_vertex_point_map(target))
+                                              .refinement_mode(VMP::Refinement_mode::HELPFUL));
   REQUIRE(of_complex.status == VMP::OK);
   CHECK(of_complex.energy == result.energy);
   CHECK(c3t3.model().number_of_edges_in_complex() == 1);
@@ -499,7 +500,8 @@ TEST_CASE("Refinement during the search is the same, and appends to the arrays")
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
     volume_of[soup.cell_references[c]] = volume(soup, c);
   Points images_of_soup;
-  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(soup, fan.targets, images_of_soup, params::do_refine(true)).status
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(soup, fan.targets, images_of_soup,
+                                                           params::refinement_mode(VMP::Refinement_mode::HELPFUL)).status
           == VMP::OK);
   CHECK(has_same_bits(images_of_soup, images));
   CHECK(soup.points == points);
@@ -566,7 +568,7 @@ TEST_CASE("Matrices of Eigen, with a row for each point and cell, are mapped as 
   Points points = fan.points, images;
   Int_cells cells = fan.cells;
   Eigen::MatrixXd U;
-  const auto np = params::do_refine(true).number_of_iterations(20);
+  const auto np = params::refinement_mode(VMP::Refinement_mode::HELPFUL).number_of_iterations(20);
   const auto of_arrays = CGAL::stretch_minimizing_volume_parameterization(points, cells, fan.targets, images, np);
   const auto of_matrices = CGAL::stretch_minimizing_volume_parameterization(V, C, T, U, np);
   REQUIRE(of_arrays.number_of_added_vertices > 0);

@@ -86,10 +86,10 @@ Outcome refine_and_map(Soup soup, const Points& targets, const NamedParameters& 
 }
 
 Outcome map_as_needed(const Soup& soup, const Points& targets)
-{ return refine_and_map(soup, targets, params::do_refine(true).refinement_mode(VMP::Refinement_mode::NEEDED)); }
+{ return refine_and_map(soup, targets, params::refinement_mode(VMP::Refinement_mode::NEEDED)); }
 
 Outcome map_as_helpful(const Soup& soup, const Points& targets)
-{ return refine_and_map(soup, targets, params::do_refine(true).refinement_mode(VMP::Refinement_mode::HELPFUL)); }
+{ return refine_and_map(soup, targets, params::refinement_mode(VMP::Refinement_mode::HELPFUL)); }
 
 } // namespace
 
@@ -117,7 +117,7 @@ TEST_CASE("Bridges of cells that the targets distort are split, unless only what
   CHECK(helpful.soup.points == refined.points);
   CHECK(helpful.soup.cells == refined.cells);
   // this is the default
-  CHECK(refine_and_map(plate(), targets, params::do_refine(true)).images == helpful.images);
+  CHECK(refine_and_map(plate(), targets, params::refinement_mode(VMP::Refinement_mode::HELPFUL)).images == helpful.images);
 }
 
 TEST_CASE("Bridges at a cell that is inverted where the search starts are split, but not where such cells are elsewhere")

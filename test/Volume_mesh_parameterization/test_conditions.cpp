@@ -74,14 +74,15 @@ struct Problem
       }
   }
 
-  VMP::Parameterization_result run(const bool do_refine = false)
+  VMP::Parameterization_result run(const bool may_refine = false)
   {
     const auto conditions_of_old = [&](const std::size_t v) { return v < conditions.size() ? conditions[v] : Condition(); };
     images.clear();
     const auto np = params::energy(energy)
       .vertex_condition_map(boost::make_function_property_map<std::size_t>(conditions_of_old)).energy_tolerance(0);
-    if(do_refine)
-      return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.do_refine(true));
+    if(may_refine)
+      return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images,
+                                                              np.refinement_mode(VMP::Refinement_mode::HELPFUL));
     return CGAL::stretch_minimizing_volume_parameterization(
       const_cast<const VMP::Tetrahedron_soup_3&>(soup), targets, images, np);
   }
@@ -443,7 +444,7 @@ TEST_CASE("Cells and edges that conditions keep in one plane are told, and refin
     problem.conditions[v] = Condition::in_plane(0, 0, 1);
     problem.targets[v] = { nan_, nan_, 0 };
   }
-  CHECK(problem.run().message.find("do_refine") != std::string::npos);
+  CHECK(problem.run().message.find("refinement_mode") != std::string::npos);
   const VMP::Parameterization_result refined = problem.run(true);
   REQUIRE(refined.status == VMP::OK);
   CHECK(refined.number_of_added_vertices > 0);

@@ -506,10 +506,10 @@ TEST_CASE("Named parameters combine in any order")
                                          .number_of_iterations(100)
                                          .maximum_running_time(100)
                                          .boundary_mode(VMP::Boundary_mode::AUTO)
-                                         .do_refine(false)
+                                         .refinement_mode(VMP::Refinement_mode::NONE)
                                          .visitor(std::ref(visitor))
                                          .verbose(true));
-  CHECK(call(params::verbose(true).do_refine(false).boundary_mode(VMP::Boundary_mode::AUTO)
+  CHECK(call(params::verbose(true).refinement_mode(VMP::Refinement_mode::NONE).boundary_mode(VMP::Boundary_mode::AUTO)
                     .visitor(std::ref(visitor)).maximum_running_time(100).number_of_iterations(100)
                     .vertex_is_constrained_map(is_constrained).solver_traits(Solver())
                     .energy(VMP::Stretch_energy_3()).boundary_map(complex.boundary_map())) == expected);
@@ -534,7 +534,7 @@ TEST_CASE("Two arguments suffice: the boundary goes to the unit sphere, and the 
   const Parameterization_result constant
     = CGAL::stretch_minimizing_volume_parameterization(std::as_const(complex.c3t3), complex.uvw_map());
   CHECK(constant.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
-  CHECK(constant.message.find("do_refine") != std::string::npos);
+  CHECK(constant.message.find("refinement_mode") != std::string::npos);
   CHECK(constant.message.find("intersects itself") == std::string::npos);
   CHECK(complex.c3t3.triangulation().number_of_vertices() == n);
 
@@ -654,7 +654,8 @@ TEST_CASE("A vertex without a target is refused, and the container stays as it i
   CHECK(complex.target == targets);
 
   const auto result = CGAL::stretch_minimizing_volume_parameterization(
-    complex.c3t3, complex.uvw_map(), params::boundary_map(VMP::make_vertex_point_map(targets)).do_refine(true));
+    complex.c3t3, complex.uvw_map(), params::boundary_map(VMP::make_vertex_point_map(targets))
+                                            .refinement_mode(VMP::Refinement_mode::HELPFUL));
   CHECK(result.status == VMP::ERROR_MISSING_BOUNDARY_TARGET);
   CHECK(targets.size() == 55);
 }
@@ -801,14 +802,14 @@ TEST_CASE("A soft boundary with constraints that ends within its tolerance is a 
     if(complex.mesh.source(0, v) == 2)
       constraints.push_back({ { { complex.vertices[v], Vector3d::UnitX() } }, 2. });
   VMP::Soft_boundary_parameters parameters;
-  const auto run = [&](const bool may_refine)
+  const auto run = [&](const VMP::Refinement_mode refinement_mode)
   {
     return CGAL::stretch_minimizing_volume_parameterization(
       complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()).boundary_mode(VMP::Boundary_mode::SOFT)
                                               .positional_constraints(constraints).soft_boundary_parameters(parameters)
-                                              .do_refine(may_refine));
+                                              .refinement_mode(refinement_mode));
   };
-  const Parameterization_result result = run(true);
+  const Parameterization_result result = run(VMP::Refinement_mode::HELPFUL);
   INFO(result.message);
   CHECK(result.status == VMP::OK_WITHIN_TOLERANCE);
   CHECK(result.has_valid_map);
@@ -823,7 +824,7 @@ TEST_CASE("A soft boundary with constraints that ends within its tolerance is a 
 
   parameters.residual_tolerance = 1e-20;
   parameters.maximum_number_of_raises = 1;
-  CHECK(run(false).status == VMP::ERROR_BOUNDARY_NOT_REACHED);
+  CHECK(run(VMP::Refinement_mode::NONE).status == VMP::ERROR_BOUNDARY_NOT_REACHED);
 }
 
 TEST_CASE("A boundary that is missed is told with the place, and whether it intersects itself")
@@ -834,7 +835,7 @@ TEST_CASE("A boundary that is missed is told with the place, and whether it inte
   INFO(missed.message);
   CHECK(missed.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
   CHECK(missed.boundary_residual > 0);
-  for(const char* words : {"(2, 2, 4) is at (", "instead of (2, 2, -1)", "do_refine", "intersects itself"})
+  for(const char* words : {"(2, 2, 4) is at (", "instead of (2, 2, -1)", "refinement_mode", "intersects itself"})
     CHECK(missed.message.find(words) != std::string::npos);
 
   const Parameterization_result none = parameterize(complex, params::boundary_mode(VMP::Boundary_mode::FIXED));
@@ -1043,7 +1044,7 @@ TEST_CASE("A facet of the boundary that the target flattens is named, and nothin
                 VMP::Boundary_mode::FIXED);
 
   const auto result = CGAL::stretch_minimizing_volume_parameterization(
-    complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()).do_refine(true));
+    complex.c3t3, complex.uvw_map(), params::boundary_map(complex.boundary_map()).refinement_mode(VMP::Refinement_mode::HELPFUL));
   CHECK(result.status == VMP::ERROR_BOUNDARY_NOT_REACHED);
   CHECK(result.has_valid_map);
   CHECK(result.number_of_added_vertices == 0);

@@ -112,7 +112,8 @@ TEST_CASE("A map with fixed boundary and refinement")
 {
   check_ends([](Impatient_visitor& visitor)
   {
-    return is_map_interrupted(VMP::Ball_boundary_parameterizer_3(), params::visitor(std::ref(visitor)).do_refine(true));
+    return is_map_interrupted(VMP::Ball_boundary_parameterizer_3(), params::visitor(std::ref(visitor))
+      .refinement_mode(VMP::Refinement_mode::HELPFUL));
   });
 }
 
@@ -121,7 +122,8 @@ TEST_CASE("A map whose boundary slides, and with a bound of angles")
   check_ends([](Impatient_visitor& visitor)
   {
     return is_map_interrupted(VMP::Cube_boundary_parameterizer_3(1, 1, 3), params::visitor(std::ref(visitor))
-      .do_refine(true).do_slide_boundary(true).minimize_maximum_angle_distortion(true));
+      .refinement_mode(VMP::Refinement_mode::HELPFUL).do_slide_boundary(true)
+      .maximum_angle_distortion(VMP::least_angle_distortion));
   });
 }
 

@@ -56,9 +56,9 @@ TEST_CASE("Points at one place become the first of them")
   CHECK(soup.corners == std::vector<std::size_t>{2, 3});
   CHECK(VMP::boundary_vertices(soup.points, soup.cells).size() == 5);
 
-  CHECK(VMP::merge_coinciding_points(soup) == VMP::first_coinciding_points(soup.points)); // nothing changes any more
+  CHECK(VMP::merge_coinciding_points(soup) == VMP::internal::first_coinciding_points(soup.points)); // nothing changes any more
   CHECK(soup.cells == two_cells().cells);
-  CHECK(VMP::first_coinciding_points({{0., 0, 0}, {-0., 0, 0}, {1e-300, 0, 0}}) == std::vector<std::size_t>{0, 0, 2});
+  CHECK(VMP::internal::first_coinciding_points({{0., 0, 0}, {-0., 0, 0}, {1e-300, 0, 0}}) == std::vector<std::size_t>{0, 0, 2});
 }
 
 TEST_CASE("Cells with the same vertices become the first of them, with the references of all")
@@ -67,7 +67,7 @@ TEST_CASE("Cells with the same vertices become the first of them, with the refer
   soup.cells.insert(soup.cells.end(), { { 1, 0, 2, 3 }, { 3, 2, 1, 0 } });
   soup.cell_references.insert(soup.cell_references.end(), { 9, 5 });
   soup.cell_data = { { "f", 2, false, { 0, 1, 2, 3, 4, 5, 6, 7 } } };
-  CHECK(VMP::first_coinciding_cells(soup.cells) == std::vector<std::size_t>{ 0, 1, 0, 0 });
+  CHECK(VMP::internal::first_coinciding_cells(soup.cells, false) == std::vector<std::size_t>{ 0, 1, 0, 0 });
   CHECK(VMP::merge_coinciding_cells(soup) == std::vector<std::size_t>{ 0, 1, 0, 0 });
   CHECK(soup.cells == two_cells().cells);
   CHECK(soup.cell_references == std::vector<int>{ 1, 2 });

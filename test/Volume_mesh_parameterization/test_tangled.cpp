@@ -80,7 +80,8 @@ TEST_CASE("A tangled mesh is untangled within its boundary")
     const std::size_t number = number_of_bad_cells(soup);
     REQUIRE(number > 0);
     Points images;
-    CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, soup.points, images, params::do_refine(false)).status
+    CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, soup.points, images,
+                                                           params::refinement_mode(VMP::Refinement_mode::NONE)).status
           == VMP::ERROR_INVERTED_SOURCE_CELL);
     const VMP::Parameterization_result result = improve(soup, params::energy(VMP::MIPS_energy_3()));
     CHECK(result.status == VMP::OK);
@@ -122,7 +123,7 @@ TEST_CASE("A flat cell on the boundary is split")
   Soup copy = soup;
   VMP::Parameterization_result result = improve(copy, params::energy(VMP::MIPS_energy_3()));
   CHECK(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED);
-  result = improve(soup, params::energy(VMP::MIPS_energy_3()).do_refine(true));
+  result = improve(soup, params::energy(VMP::MIPS_energy_3()).refinement_mode(VMP::Refinement_mode::HELPFUL));
   CHECK(result.status == VMP::OK);
   CHECK(number_of_bad_cells(soup) == 0);
   CHECK(soup.points.size() > before.size());
@@ -163,8 +164,7 @@ TEST_CASE("Refinement leaves a mesh alone that needs none, and splits cells that
   improve(soup, params::energy(VMP::MIPS_energy_3()));
   const auto refine = [](Soup& mesh)
   {
-    return improve(mesh, params::energy(VMP::MIPS_energy_3()).do_refine(true)
-                               .refinement_mode(VMP::Refinement_mode::BOUNDARY));
+    return improve(mesh, params::energy(VMP::MIPS_energy_3()).refinement_mode(VMP::Refinement_mode::BOUNDARY));
   };
   CHECK(refine(refined).number_of_added_vertices == 0);
   CHECK(refined.points == soup.points);

@@ -29,7 +29,8 @@ struct Results
     VMP::Tetrahedron_soup_3 cube = source_soup(cube_mesh(3));
     Points targets;
     VMP::Ball_boundary_parameterizer_3().parameterize(cube.points, cube.cells, targets);
-    CGAL::stretch_minimizing_volume_parameterization(cube, targets, images, CGAL::parameters::do_refine(true));
+    CGAL::stretch_minimizing_volume_parameterization(cube, targets, images,
+                                                     CGAL::parameters::refinement_mode(VMP::Refinement_mode::HELPFUL));
 
     VMP::Tetrahedron_soup_3 bent = source_soup(cube_mesh(3));
     for(std::array<double, 3>& p : bent.points)

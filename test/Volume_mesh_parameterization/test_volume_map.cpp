@@ -3,7 +3,6 @@
 #include "array_of_vtu_file.h"
 #include "cube_complex.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/VTS.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 
 #include <algorithm>
@@ -305,52 +304,4 @@ TEST_CASE("Ranges of arrays of coordinates are queries, also for the nearest poi
     CHECK(nearest[i]->point == map.nearest_image(p)->point);
     CHECK(inverse[i]->point == map.nearest_preimage(p)->point);
   }
-}
-
-TEST_CASE("A map is evaluated on a grid of its target, and written as a structured grid of VTK")
-{
-  const Mapped_cube cube(2, 0.1, [](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1] + p[2], p[2] }; }); // det J = 3
-  const VMP::Map_on_grid_3 grid = VMP::evaluate_on_grid(cube.map(), CGAL::Bbox_3(0, 0, 0, 6, 4, 2), { 3, 5, 2 });
-  REQUIRE(grid.points.size() == 30);
-  CHECK(grid.points[1] == std::array<double, 3>{ 3, 0, 0 });
-  CHECK(grid.points[3] == std::array<double, 3>{ 0, 1, 0 });
-  CHECK(grid.points[29] == std::array<double, 3>{ 6, 4, 2 });
-  std::size_t number_outside = 0;
-  for(std::size_t i = 0; i < 30; ++i)
-  {
-    const Vector3d q = vector(grid.points[i]), p(q[0] / 3, q[1] - q[2], q[2]);
-    const bool is_inside = p[1] >= 0 && p[1] <= 2;
-    number_outside += !is_inside;
-    CHECK(std::isnan(grid.det_J[i]) == !is_inside);
-    CHECK(std::isnan(grid.preimages[i][0]) == !is_inside);
-    if(is_inside)
-    {
-      CHECK((vector(grid.preimages[i]) - p).norm() < 1e-12);
-      CHECK(std::abs(grid.det_J[i] - 3) < 1e-12);
-    }
-  }
-  CHECK(number_outside == 12);
-  const VMP::Map_on_grid_3 parallel
-    = VMP::evaluate_on_grid<CGAL::Parallel_if_available_tag>(cube.map(), CGAL::Bbox_3(0, 0, 0, 6, 4, 2), { 3, 5, 2 });
-  CHECK(std::count_if(parallel.det_J.begin(), parallel.det_J.end(), [](const double d) { return d > 0; }) == 18);
-
-  std::ostringstream os;
-  CHECK(VMP::IO::write_VTS(os, grid));
-  CHECK(os.str().find("<StructuredGrid WholeExtent=\"0 2 0 4 0 1\">\n<Piece Extent=\"0 2 0 4 0 1\">") != std::string::npos);
-  CHECK(array_of(os.str(), "Points").size() == 90);
-  CHECK(array_of(os.str(), "Points")[10] == 1);
-  CHECK(array_of(os.str(), "preimage").size() == 90);
-  CHECK(array_of(os.str(), "det_J").size() == 30);
-  const auto is_inside = array_of<std::uint8_t>(os.str(), "is_inside", "UInt8");
-  const auto is_hidden = array_of<std::uint8_t>(os.str(), "vtkGhostType", "UInt8");
-  for(std::size_t i = 0; i < 30; ++i)
-  {
-    CHECK(int(is_inside[i]) == !std::isnan(grid.det_J[i]));
-    CHECK(int(is_hidden[i]) == (is_inside[i] == 0 ? 2 : 0));
-  }
-
-  CHECK_THROWS_AS(VMP::evaluate_on_grid(cube.map(), CGAL::Bbox_3(0, 0, 0, 1, 1, 1), { 2, 1, 2 }), CGAL::Precondition_exception);
-  VMP::Map_on_grid_3 broken = grid;
-  broken.det_J.pop_back();
-  CHECK_THROWS_AS(VMP::IO::write_VTS(os, broken), CGAL::Precondition_exception);
 }

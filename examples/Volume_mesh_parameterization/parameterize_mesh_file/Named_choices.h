@@ -84,20 +84,19 @@ inline CGAL::Polycube_meshing_3::Polycube_axes named_polycube_axes(const std::st
     {"found", Polycube_axes::FOUND}, {"given", Polycube_axes::GIVEN}});
 }
 
-// Where the program may add vertices, by the parameters of the library and by make_parameterizable().
+// Where the program may add vertices, by the parameter of the library and by make_parameterizable().
 struct Refinement
 {
-  bool do_refine, splits_all_bridges;
   CGAL::Volume_mesh_parameterization::Refinement_mode mode;
+  bool splits_all_bridges = false;
 };
 
 inline Refinement named_refinement(const std::string& name)
 {
   using CGAL::Volume_mesh_parameterization::Refinement_mode;
   return find_name<Refinement>("refinement", name, {
-    {"none", {false, false, Refinement_mode::NEEDED}}, {"needed", {true, false, Refinement_mode::NEEDED}},
-    {"helpful", {true, false, Refinement_mode::HELPFUL}}, {"boundary", {true, false, Refinement_mode::BOUNDARY}},
-    {"all", {true, true, Refinement_mode::BOUNDARY}}});
+    {"none", {Refinement_mode::NONE}}, {"needed", {Refinement_mode::NEEDED}}, {"helpful", {Refinement_mode::HELPFUL}},
+    {"boundary", {Refinement_mode::BOUNDARY}}, {"all", {Refinement_mode::BOUNDARY, true}}});
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_NAMED_CHOICES_H

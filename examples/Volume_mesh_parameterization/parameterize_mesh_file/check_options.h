@@ -111,6 +111,8 @@ inline void check(const Options& options)
     throw std::runtime_error("the tolerance of the energy must not be negative");
   if(!(options.maximum_angle_distortion > 2))
     throw std::runtime_error("the bound of the distortion of angles must be larger than 2");
+  if(options.minimize_maximum_angle_distortion && std::isfinite(options.maximum_angle_distortion))
+    throw std::runtime_error("--minimize-max-angle-distortion excludes --max-angle-distortion");
   if(!(options.time_limit >= 0))
     throw std::runtime_error("the time limit must not be negative");
   check_number_of_threads(options);

@@ -72,14 +72,13 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
   {
     const auto np
       = params::boundary_mode(named_boundary_mode(options.boundary))
-        .do_refine(refinement.do_refine)
         .refinement_mode(refinement.mode)
         .energy(named_energy(options.energy))
         .use_regular_references(options.do_improve)
         .use_volume_weights(options.use_volume_weights)
         .energy_tolerance(options.energy_tolerance)
-        .maximum_angle_distortion(options.maximum_angle_distortion)
-        .minimize_maximum_angle_distortion(options.minimize_maximum_angle_distortion)
+        .maximum_angle_distortion(options.minimize_maximum_angle_distortion ? VMP::least_angle_distortion
+                                                                            : options.maximum_angle_distortion)
         .solver_traits(solver)
         .number_of_iterations(static_cast<std::size_t>(options.number_of_iterations))
         .maximum_running_time(progress.seconds_left())
@@ -133,7 +132,8 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
     result.message += advice_for_inverted_target(mapped);
   if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
     result.message += " " + advice_to_improve + ".";
-  if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED && !named_refinement(options.refinement).do_refine
+  if(result.status == VMP::ERROR_PRESCRIBED_CELL_INVERTED
+     && named_refinement(options.refinement).mode == VMP::Refinement_mode::NONE
      && result.message.find("No refinement helps") == std::string::npos)
     result.message += " --refine splits such cells.";
   if(!result.has_valid_map && !mapped.target.inside.empty() && result.status != VMP::ERROR_INTERRUPTED)

@@ -165,11 +165,12 @@ inline void separate(Source& source)
 inline void merge_cells(Source& source)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  if(repeated(VMP::first_coinciding_cells<Concurrency_tag>(source.soup.cells)).empty())
+  VMP::Tetrahedron_soup_3 merged = source.soup;
+  if(repeated(VMP::merge_coinciding_cells<Concurrency_tag>(merged)).empty())
     return;
+  std::swap(source.soup, merged);
   if(!source.unmended)
-    source.unmended = source.soup;
-  VMP::merge_coinciding_cells<Concurrency_tag>(source.soup);
+    source.unmended = std::move(merged);
   source.notes.push_back(source.soup.notes.back());
 }
 
@@ -178,13 +179,19 @@ inline void merge_cells(Source& source)
 inline void count_coinciding_points(Source& source)
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
-  if(repeated(VMP::first_coinciding_points(source.soup.points)).empty())
+  const auto first_at_points = [](const Points& points)
+  {
+    VMP::Tetrahedron_soup_3 of_points;
+    of_points.points = points;
+    return VMP::merge_coinciding_points(of_points);
+  };
+  if(repeated(first_at_points(source.soup.points)).empty())
     return;
   const std::vector<std::size_t> vertices = VMP::boundary_vertices(source.soup.points, source.soup.cells);
   Points points;
   for(const std::size_t v : vertices)
     points.push_back(source.soup.points[v]);
-  const std::vector<std::size_t> first = VMP::first_coinciding_points(points), others = repeated(first);
+  const std::vector<std::size_t> first = first_at_points(points), others = repeated(first);
   source.number_of_coinciding_points = others.size();
   if(!others.empty())
     source.notes.push_back(counted(others.size(), "vertex of the boundary has", "vertices of the boundary have")

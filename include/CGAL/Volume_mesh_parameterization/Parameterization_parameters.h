@@ -48,6 +48,7 @@ it lies on the edge up to rounding, and in exact arithmetic it may be off the ed
 */
 enum class Refinement_mode
 {
+  NONE,   ///< none
   NEEDED, ///< only those without which the boundary is not reached
   /// also vertices in bridges that make the map slow or distorted; bridges are interior simplices with prescribed vertices only
   HELPFUL,
@@ -215,6 +216,12 @@ struct Linear_constraint_3
   std::vector<Term> terms; ///< the left-hand side
   double value = 0;        ///< the right-hand side \f$p\f$, in the unit of the target if the coefficients have none
 };
+
+/// \ingroup PkgVolumeMeshParameterizationResults
+///
+/// The value of the named parameter `maximum_angle_distortion` that makes the largest distortion of angles as small as possible.
+/// A map without distortion of angles has this value.
+constexpr double least_angle_distortion = 2;
 
 /// \ingroup PkgVolumeMeshParameterizationResults
 /// The phases of a parameterization. With soft boundary, all steps are minimization.

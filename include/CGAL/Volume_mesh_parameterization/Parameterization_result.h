@@ -244,7 +244,7 @@ struct Parameterization_result
   double boundary_distortion = std::numeric_limits<double>::quiet_NaN();
 
   /// proved lower bound of the largest distortion of angles of all maps with these prescribed vertices;
-  /// 0 unless `minimize_maximum_angle_distortion(true)` was passed
+  /// 0 unless `maximum_angle_distortion(least_angle_distortion)` was passed
   double unavoidable_angle_distortion = 0;
   /// largest bound below which no map was found. The least distortion seems to be between this bound and that of the
   /// map. Only `unavoidable_angle_distortion` is a proved lower bound.

@@ -92,16 +92,7 @@ inline void renumber_edges(const std::vector<std::array<std::size_t, 4> >& befor
   }
 }
 
-// The cell data with the reference number `i` of cells in several groups.
-inline std::string name_of_reference(const std::size_t i) { return "reference_" + std::to_string(i); }
-
-} // namespace internal
-
-/// \ingroup PkgVolumeMeshParameterizationIO
-///
-/// finds points with the same coordinates, in O(n log n) time for n points.
-///
-/// \return for each point, the first one with its coordinates; the point itself, if it has a place of its own
+// Returns, for each point, the first one with its coordinates.
 inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::array<double, 3> >& points)
 {
   std::vector<std::size_t> order(points.size()), result(points.size());
@@ -112,18 +103,38 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
   return result;
 }
 
+// Returns, for each cell, the first one with its four vertices.
+inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std::size_t, 4> >& cells,
+                                                       const bool is_parallel)
+{
+  std::vector<std::size_t> result(cells.size());
+  for_each_group(cells.size(),
+                           [&](const std::size_t c) { return std::make_pair(sorted(cells[c]), c); },
+                           [&](const auto begin, const auto end)
+  {
+    for(auto it = begin; it != end; ++it)
+      result[it->second] = begin->second;
+  }, is_parallel);
+  return result;
+}
+
+// The cell data with the reference number `i` of cells in several groups.
+inline std::string name_of_reference(const std::size_t i) { return "reference_" + std::to_string(i); }
+
+} // namespace internal
+
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other points
 /// stay without cells, and indices do not change.
 ///
-/// \return that of `first_coinciding_points()`
+/// \return for each point, the first one with its coordinates; the point itself, if it has a place of its own
 ///
 /// \exception Input_error as the functions for arrays; the soup is then unchanged.
 inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup)
 {
   internal::check_simplices(soup);
-  std::vector<std::size_t> first = first_coinciding_points(soup.points);
+  std::vector<std::size_t> first = internal::first_coinciding_points(soup.points);
   for(std::array<std::size_t, 4>& cell : soup.cells)
     for(std::size_t& v : cell)
       v = first[v];
@@ -140,39 +151,21 @@ inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// finds cells with the same vertices, as those that a file repeats in each of its groups, in O(n log n) time for n cells.
-///
-/// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
-///
-/// \return for each cell, the first one with its four vertices
-template <typename ConcurrencyTag = Sequential_tag>
-std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std::size_t, 4> >& cells)
-{
-  std::vector<std::size_t> result(cells.size());
-  internal::for_each_group(cells.size(),
-                           [&](const std::size_t c) { return std::make_pair(internal::sorted(cells[c]), c); },
-                           [&](const auto begin, const auto end)
-  {
-    for(auto it = begin; it != end; ++it)
-      result[it->second] = begin->second;
-  }, internal::is_parallel<ConcurrencyTag>());
-  return result;
-}
-
-/// \ingroup PkgVolumeMeshParameterizationIO
-///
 /// removes each cell with the vertices of an earlier one, and adds a note to the soup. If the references of such cells differ,
 /// the other references become the cell data `reference_2`, `reference_3`, ... of the cell that stays. The value 0 stands for
 /// none.
 ///
-/// \return that of `first_coinciding_cells()` for the cells before
+/// \tparam ConcurrencyTag `Sequential_tag` or, if TBB is linked, `Parallel_tag` or `Parallel_if_available_tag`
+///
+/// \return for each cell before, the first one with its four vertices
 ///
 /// \exception Input_error as the functions for arrays; the soup is then unchanged.
 template <typename ConcurrencyTag = Sequential_tag>
 std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 {
   internal::check_simplices(soup);
-  const std::vector<std::size_t> first = first_coinciding_cells<ConcurrencyTag>(soup.cells);
+  const std::vector<std::size_t> first = internal::first_coinciding_cells(soup.cells,
+                                                                             internal::is_parallel<ConcurrencyTag>());
   const std::size_t n = soup.cells.size();
   std::vector<std::set<int> > references(n);
   std::vector<std::size_t> kept, repeated;

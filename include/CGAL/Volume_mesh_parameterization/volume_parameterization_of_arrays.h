@@ -33,7 +33,7 @@ the named parameter `boundary_parameterizer` finds them, by default on the unit 
 \tparam TargetRange as `PointRange`
 \tparam ImageRange as `PointRange`
 
-\param points the points; new ones are appended if the mesh may be refined (see `do_refine`), and may be constant otherwise
+\param points the points; new ones are appended if the mesh may be refined (see `refinement_mode`), and may be constant otherwise
 \param cells four indices of points each, such that all cells are positive; modified only if the mesh may be refined. A cell
        that is split becomes one of its parts, the other parts are appended.
 \param targets the image of each point that is a vertex of the boundary, of a facet of one cell only. The others are not
@@ -65,7 +65,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
                                            ImageRange& images, const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  constexpr bool may_refine = VMP::internal::has_do_refine<NamedParameters>;
+  constexpr bool may_refine = VMP::internal::has_refinement_mode<NamedParameters>;
   VMP::Tetrahedron_soup_3 soup = VMP::internal::soup_of(points, cells);
   const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
@@ -82,7 +82,7 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 
 computes a map of arrays to the boundary that the named parameter `boundary_parameterizer` finds, by default the unit sphere. The
 array `images` is an output only: its previous values are no targets. To prescribe targets, pass four arrays. Arrays that are not
-constant are refined if this helps, unless `do_refine(false)` is passed.
+constant are refined if this helps, unless `refinement_mode(Refinement_mode::NONE)` is passed.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename PointRange, typename CellRange, typename ImageRange, typename CGAL_NP_TEMPLATE_PARAMETERS,
@@ -93,9 +93,8 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS>
+  constexpr bool may_refine = VMP::internal::has_refinement_mode<CGAL_NP_CLASS>
     || (VMP::internal::is_refinable<PointRange> && VMP::internal::is_refinable<CellRange>);
-  VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     VMP::internal::soup_of(points, cells), VMP::internal::coordinate_type_of<PointRange>(),
     VMP::internal::targets_to_be_found(np), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
@@ -122,7 +121,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
                                            const NamedParameters& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  constexpr bool may_refine = VMP::internal::has_do_refine<NamedParameters>;
+  constexpr bool may_refine = VMP::internal::has_refinement_mode<NamedParameters>;
   const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     soup, {}, target, images, np, [&](VMP::Tetrahedron_soup_3& refined)
@@ -145,8 +144,7 @@ stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
                                            const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace VMP = Volume_mesh_parameterization;
-  constexpr bool may_refine = VMP::internal::has_do_refine<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
-  VMP::internal::check_refinement_mode<CGAL_NP_CLASS, may_refine>();
+  constexpr bool may_refine = VMP::internal::has_refinement_mode<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
   return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
     soup, {}, VMP::internal::targets_to_be_found(np), images, np, [&](VMP::Tetrahedron_soup_3& refined)
   {

@@ -517,7 +517,8 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   }
   REQUIRE(VMP::Cube_boundary_parameterizer_3().parameterize(points, cross, targets) == VMP::OK);
   REQUIRE(CGAL::stretch_minimizing_volume_parameterization(points, cross, targets, images,
-                                                           CGAL::parameters::do_refine(true)).status == VMP::OK);
+                                                           CGAL::parameters::refinement_mode(VMP::Refinement_mode::HELPFUL)).status
+        == VMP::OK);
   Hexahedron_soup_3 mesh;
   REQUIRE(PM::make_hexahedral_mesh_3(points, cross, images, 0.125, mesh).status == VMP::OK);
   CHECK(smallest_determinant(mesh) > 0);

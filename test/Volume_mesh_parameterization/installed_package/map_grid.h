@@ -36,7 +36,8 @@ static Points images_of_grid()
   if(VMP::Ball_boundary_parameterizer_3().parameterize(points, cells, targets) != VMP::OK)
     throw std::runtime_error("no boundary");
   const auto result = CGAL::stretch_minimizing_volume_parameterization(
-    points, cells, targets, images, CGAL::parameters::do_refine(true).number_of_iterations(number_of_iterations()));
+    points, cells, targets, images, CGAL::parameters::refinement_mode(VMP::Refinement_mode::HELPFUL)
+                                       .number_of_iterations(number_of_iterations()));
   if(result.status != VMP::OK)
     throw std::runtime_error(result.message);
   return images;

@@ -115,13 +115,12 @@ stretch_minimizing_volume_parameterization(
                 && is_default_parameter<NamedParameters, internal_np::soft_boundary_parameters_t>::value
                 && is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value
                 && is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-                && is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value
-                && is_default_parameter<NamedParameters, internal_np::minimize_maximum_angle_distortion_t>::value,
+                && is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value,
                 "boundary_mode and do_slide_boundary must not be passed for a distributed mesh: its boundary is fixed.");
   static_assert(is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value,
                 "vertex_condition_map must not be passed for a distributed mesh: its boundary is at its targets.");
-  static_assert(is_default_parameter<NamedParameters, internal_np::do_refine_t>::value,
-                "do_refine must not be passed for a distributed mesh: call make_parameterizable() before.");
+  static_assert(is_default_parameter<NamedParameters, internal_np::refinement_mode_t>::value,
+                "refinement_mode must not be passed for a distributed mesh: call make_parameterizable() before.");
   static_assert(is_default_parameter<NamedParameters, internal_np::solver_traits_t>::value,
                 "solver_traits must not be passed for a distributed mesh: PETSc's options choose the solver.");
 

@@ -29,7 +29,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
   const Prescription_3 prescription = prescription_3<Vertex>(body, np, target, vertex);
   if constexpr(may_refine) // refinement is compiled only where users can ask for it
   {
-    if(parameter_or(np, internal_np::do_refine, true))
+    if(problem.options.refinement != Refinement_mode::NONE)
       return refine_and_parameterize_body_3(body, prescription, problem, insertions, images);
   }
   return parameterize_body_3(std::move(body), prescription, problem, images);
@@ -73,7 +73,7 @@ Parameterization_result parameterize_body_3(Body_3& body, const NamedParameters&
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
   const Parameterizer& parameterizer = target.parameterizer;
-  const bool do_refine = may_refine && parameter_or(np, internal_np::do_refine, true);
+  const bool do_refine = may_refine && problem.options.refinement != Refinement_mode::NONE;
   std::vector<Mapped_boundary_3> boundaries;
   const Error_code status
     = find_boundaries_3(parameterizer, body, do_refine && problem.options.refinement == Refinement_mode::BOUNDARY,
@@ -156,14 +156,7 @@ auto target_of_point(const TargetRange& targets, const std::size_t number_of_poi
 }
 
 template <typename NamedParameters>
-constexpr bool has_do_refine = !parameters::is_default_parameter<NamedParameters, internal_np::do_refine_t>::value;
-
-template <typename NamedParameters, bool may_refine>
-constexpr void check_refinement_mode()
-{
-  static_assert(may_refine || parameters::is_default_parameter<NamedParameters, internal_np::refinement_mode_t>::value,
-                "refinement_mode must not be passed for a constant complex or constant arrays, which cannot be refined.");
-}
+constexpr bool has_refinement_mode = !parameters::is_default_parameter<NamedParameters, internal_np::refinement_mode_t>::value;
 
 // Arrays that a call can refine are no temporaries and not constant.
 template <typename Range>

@@ -36,21 +36,38 @@ inline std::string XML_escaped(const std::string& text)
   return result;
 }
 
-// Collects an XML file of a type of grids in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays
+// Collects an XML file of an unstructured grid in the appended form (VTK User's Guide, "VTK XML Formats"): the XML declares arrays
 // by their offsets into the data behind it, where each is its number of bytes and its values, as this machine stores them.
-class VTK_writer
+class VTU_writer
 {
 public:
-  VTK_writer(const std::string& type, const std::string& attributes, const std::string& attributes_of_piece)
-    : m_head("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + type + "\" version=\"1.0\" byte_order=\""
-#ifdef CGAL_LITTLE_ENDIAN
-             "LittleEndian"
-#else
-             "BigEndian"
-#endif
-             "\" header_type=\"UInt64\">\n<" + type + attributes + ">\n"),
-      m_xml("<Piece" + attributes_of_piece + ">\n"), m_type(type)
-  {}
+  // Begins with points, and cells of one or more types.
+  template <std::size_t... n>
+  VTU_writer(const std::vector<std::array<double, 3> >& points, const VTU_cells<n>&... cells)
+    : m_xml("<Piece NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\""
+            + std::to_string((cells.cells.size() + ...)) + "\">\n")
+  {
+    std::vector<std::size_t> vertices, ends;
+    std::vector<int> types;
+    const auto add_cells = [&](const auto& all, const int type)
+    {
+      for(const auto& cell : all)
+      {
+        vertices.insert(vertices.end(), cell.begin(), cell.end());
+        ends.push_back(vertices.size());
+        types.push_back(type);
+      }
+    };
+    (add_cells(cells.cells, cells.type), ...);
+    begin("Points");
+    add_points("Points", points);
+    end("Points");
+    begin("Cells");
+    add<std::int32_t>("connectivity", vertices.size(), [&](const std::size_t i) { return vertices[i]; });
+    add<std::int64_t>("offsets", ends.size(), [&](const std::size_t i) { return ends[i]; });
+    add<std::uint8_t>("types", types.size(), [&](const std::size_t i) { return types[i]; });
+    end("Cells");
+  }
 
   void begin(const std::string& element) { m_xml += "<" + element + ">\n"; }
   void end(const std::string& element) { m_xml += "</" + element + ">\n"; }
@@ -88,16 +105,9 @@ public:
   void add_points(const std::string& name, const std::vector<std::array<double, 3> >& points)
   { add<double>(name, 3 * points.size(), [&](const std::size_t i) { return points[i / 3][i % 3]; }, 3); }
 
-  void add_section_of_points(const std::vector<std::array<double, 3> >& points)
-  {
-    begin("Points");
-    add_points("Points", points);
-    end("Points");
-  }
-
   void write(std::ostream& os) const
   {
-    os << m_head << m_xml << "</Piece>\n</" << m_type << ">\n<AppendedData encoding=\"raw\">\n_" << m_data
+    os << m_head << m_xml << "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_" << m_data
        << "\n</AppendedData>\n</VTKFile>\n";
   }
 
@@ -110,37 +120,14 @@ private:
   template <typename Number>
   void append(const Number number) { m_data.append(reinterpret_cast<const char*>(&number), sizeof(number)); }
 
-  std::string m_head, m_xml, m_data, m_type;
-};
-
-class VTU_writer : public VTK_writer
-{
-public:
-  // Begins with points, and cells of one or more types.
-  template <std::size_t... n>
-  VTU_writer(const std::vector<std::array<double, 3> >& points, const VTU_cells<n>&... cells)
-    : VTK_writer("UnstructuredGrid", "", " NumberOfPoints=\"" + std::to_string(points.size()) + "\" NumberOfCells=\""
-                                           + std::to_string((cells.cells.size() + ...)) + "\"")
-  {
-    std::vector<std::size_t> vertices, ends;
-    std::vector<int> types;
-    const auto add_cells = [&](const auto& all, const int type)
-    {
-      for(const auto& cell : all)
-      {
-        vertices.insert(vertices.end(), cell.begin(), cell.end());
-        ends.push_back(vertices.size());
-        types.push_back(type);
-      }
-    };
-    (add_cells(cells.cells, cells.type), ...);
-    add_section_of_points(points);
-    begin("Cells");
-    add<std::int32_t>("connectivity", vertices.size(), [&](const std::size_t i) { return vertices[i]; });
-    add<std::int64_t>("offsets", ends.size(), [&](const std::size_t i) { return ends[i]; });
-    add<std::uint8_t>("types", types.size(), [&](const std::size_t i) { return types[i]; });
-    end("Cells");
-  }
+  std::string m_head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\""
+#ifdef CGAL_LITTLE_ENDIAN
+    "LittleEndian"
+#else
+    "BigEndian"
+#endif
+    "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+  std::string m_xml, m_data;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -56,10 +56,9 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
                                     const Communicator_3& communicator = single_process())
 {
   check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::boundary_parameterizer_t,
-                         internal_np::do_refine_t,
                          internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
                          internal_np::initial_map_t, internal_np::maximum_angle_distortion_t,
-                         internal_np::minimize_maximum_angle_distortion_t, internal_np::number_of_iterations_t,
+                         internal_np::number_of_iterations_t,
                          internal_np::positional_constraints_t, internal_np::refinement_mode_t,
                          internal_np::soft_boundary_parameters_t,
                          internal_np::solver_traits_t, internal_np::use_regular_references_t, internal_np::use_volume_weights_t,
@@ -107,14 +106,15 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
     options.mode = Boundary_mode::FIXED; // a soft boundary starts from the source
   options.is_parallel = is_parallel<ConcurrencyTag>();
   options.energy_tolerance = parameter_or(np, internal_np::energy_tolerance, options.energy_tolerance);
-  options.minimize_maximum_angle_distortion = parameter_or(np, internal_np::minimize_maximum_angle_distortion, false);
-  options.maximum_angle_distortion = parameter_or(np, internal_np::maximum_angle_distortion, options.maximum_angle_distortion);
+  const double bound = parameter_or(np, internal_np::maximum_angle_distortion, options.maximum_angle_distortion);
+  require(bound >= least_angle_distortion, "maximum_angle_distortion must be least_angle_distortion, which is 2, or larger.");
+  options.minimize_maximum_angle_distortion = bound == least_angle_distortion;
+  if(!options.minimize_maximum_angle_distortion)
+    options.maximum_angle_distortion = bound;
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value
-               || !parameters::is_default_parameter<NamedParameters, internal_np::minimize_maximum_angle_distortion_t>::value)
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value)
     options.improve = &slide_and_bound_angles_3;
   require(options.energy_tolerance >= 0, "energy_tolerance must not be negative.");
-  require(options.maximum_angle_distortion > 2, "maximum_angle_distortion must be larger than 2.");
   require(options.soft.weight > 0 && std::isfinite(options.soft.weight),
           "weight of soft_boundary_parameters must be positive and finite.");
   require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),

@@ -21,7 +21,7 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Completes advice to refine by what compiles: constant complexes and arrays cannot be refined.
-constexpr const char* way_to_refine = "do_refine(true), for a mesh that is not constant";
+constexpr const char* way_to_refine = "refinement_mode(Refinement_mode::HELPFUL), for a mesh that is not constant";
 
 // The fault of an input, with the data that make it concrete; OK if there is none.
 struct Input_check_3

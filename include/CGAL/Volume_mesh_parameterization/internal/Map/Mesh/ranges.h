@@ -130,7 +130,7 @@ template <typename PointRange, typename CellRange>
 void assign_refined(const Tetrahedron_soup_3& refined, PointRange& points, CellRange& cells)
 {
   static_assert(!std::is_const<PointRange>::value && !std::is_const<CellRange>::value,
-                "do_refine must not be passed for constant arrays, which cannot be refined.");
+                "refinement_mode must not be passed for constant arrays, which cannot be refined.");
   assign_coordinates(refined.points, points, number_of_rows(points));
   resize_rows(cells, refined.cells.size(), 4);
   for(std::size_t c = 0; c < refined.cells.size(); ++c)
