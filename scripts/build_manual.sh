@@ -33,7 +33,7 @@ perl -0777 -ne '
     for $key ("Description", "Type", "Default")
     { ($value{$key}) = $block =~ /\\cgalParam$key(\{(?:[^{}]|(?1))*\})/; $value{$key} = substr($value{$key}, 1, -1) =~ s/\s*\n\s*/ /gr }
     $text{$name} //= $value{Description};
-    push @{$functions{$name}{"/// - Type: $value{Type}\n/// - Default: $value{Default}\n"}}, $ARGV =~ s|.*/(\w+)\.h|$1|r;
+    push @{$functions{$name}{"/// - Type: $value{Type}\n/// - Default: $value{Default}\n"}}, $ARGV =~ s|include/(.*)\.h|$1|r =~ s|/|::|gr;
   }
   END
   {
@@ -42,8 +42,7 @@ perl -0777 -ne '
     for $name (sort keys %text)
     {
       print "/// \\ingroup PkgVolumeMeshParameterizationNamedParameters\n/// $text{$name}\n///\n",
-            (map { "$_/// - Parameter of: " . join(", ", map { "`CGAL::" . (/^stretch/ ? "" : "Volume_mesh_parameterization::") . "$_()`" }
-                                                         @{$functions{$name}{$_}}) . "\n" } sort keys %{$functions{$name}}),
+            (map { "$_/// - Parameter of: " . join(", ", map { "`$_()`" } @{$functions{$name}{$_}}) . "\n" } sort keys %{$functions{$name}}),
             "unspecified_type $name(value_type value);\n";
     }
     print "} }\n";
@@ -66,7 +65,7 @@ if grep -n '`' $output/html/{index,Pkg,class,struct,group,namespace}*.html; then
   echo "Doxygen did not read the code in these lines" >&2
   exit 1
 fi
-sed -i -E 's/"CGAL::(Volume_mesh_parameterization::)?(IO::)?([A-Za-z])/"\3/; s/< [A-Za-z_]+ >"/"/; s/"(Volume_mesh_parameterization|Polycube_meshing_3)\/([^"]*\.(cpp|h)")/"\2/' $output/html/*.js
+sed -i -E 's/"CGAL::((Volume_mesh_parameterization|Polycube_meshing_3)::)?(IO::)?([A-Za-z])/"\4/; s/< [A-Za-z_]+ >"/"/; s/"(Volume_mesh_parameterization|Polycube_meshing_3)\/([^"]*\.(cpp|h)")/"\2/' $output/html/*.js
 echo "Open $PWD/$output/html/index.html"
 if [ "${1:-}" = --open ]; then
   xdg-open "$PWD/$output/html/index.html"
