@@ -655,8 +655,8 @@ TEST_CASE("An interruption, or the time limit, ends each part of the program")
     check_files(code);
 
     const double begin = seconds_of_processes();
-    const int code_at_limit = folder.run(arguments + " --time-limit 1");
-    CHECK(seconds_of_processes() - begin < 4); // two threads, and the end
+    const int code_at_limit = folder.run(arguments + " --time-limit 0.5");
+    CHECK(seconds_of_processes() - begin < 3); // two threads, and the end
     CHECK((code_at_limit == 0 || code_at_limit == 1 || code_at_limit == 3));
     if(code_at_limit != 0) // a fast machine may be ready
       check_files(code_at_limit);
@@ -2065,11 +2065,11 @@ TEST_CASE("A pipe that nobody reads is given up at the time limit, and when inte
   const Folder folder;
   folder.write("source.mesh", cube(1));
   REQUIRE(mkfifo(folder.path("pipe").c_str(), 0600) == 0);
-  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh source.mesh -o pipe --time-limit 1 --report report.json") == 3);
+  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh source.mesh -o pipe --time-limit 0.5 --report report.json") == 3);
   CHECK(folder.text("stderr")
         == "No file is written. The time limit was reached. pipe: nobody reads this\n");
   CHECK(folder.text("report.json").find("\"ERROR_INTERRUPTED\", \"has_valid_map\": true") != std::string::npos);
-  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh none.mesh --time-limit 1 --report pipe") == 3);
+  CHECK(folder.shell("timeout 60 \"$driver\" source.mesh none.mesh --time-limit 0.5 --report pipe") == 3);
 
   Terminal terminal(folder, "source.mesh source.mesh -o pipe");
   CHECK(terminal.waits_for("writing"));
@@ -2078,7 +2078,7 @@ TEST_CASE("A pipe that nobody reads is given up at the time limit, and when inte
   CHECK(terminal.exit_code() == 3);
 
   // a reader that comes late gets all
-  CHECK(folder.shell("{ sleep 1; cat pipe; } > copy.mesh & \"$driver\" source.mesh source.mesh -o pipe; wait") == 0);
+  CHECK(folder.shell("{ sleep 0.5; cat pipe; } > copy.mesh & \"$driver\" source.mesh source.mesh -o pipe; wait") == 0);
   CHECK(folder.soup("copy.mesh").cells == cube(1).cells);
 }
 
