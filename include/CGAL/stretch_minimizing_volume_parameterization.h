@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
 #include <CGAL/Volume_mesh_parameterization/volume_parameterization_of_arrays.h>
@@ -90,7 +91,8 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamPrecondition{`boundary_map` is given as well.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_condition_map}
-    \cgalParamDescription{what the image of each vertex may do, on the boundary and inside (\ref VMPBoundaryFree)}
+    \cgalParamDescription{what the image of each vertex may do, on the boundary and inside
+                          (\ref VMPBoundaryFree, \ref VMPSurfaces)}
     \cgalParamType{a model of `ReadablePropertyMap` with `C3t3::Vertex_handle` as key type and
                    `Volume_mesh_parameterization::Vertex_condition_3` as value type}
     \cgalParamDefault{vertices of the boundary are at their targets, vertices inside are free}

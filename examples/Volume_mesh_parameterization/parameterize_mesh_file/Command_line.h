@@ -175,9 +175,10 @@ inline Command_line command_line(Options& options)
      "move to where the energy is lowest")
     ("conditions", po::value(&options.conditions)->value_name("FILE"),
      "lines for vertices that are not free. A line begins with the reference or the name of triangles, or with 'vertex' and an "
-     "index. A name with blanks needs quotes. It ends with fixed, free, plane and a normal, or a coordinate such as z=1. A fixed "
-     "vertex is at its target in TARGET, or keeps its position. A plane with a normal goes through the same point. --others is "
-     "about boundary vertices without a target and a line, here with the default free")
+     "index. A name with blanks needs quotes. It ends with fixed, free, plane and a normal, a coordinate such as z=1, surface, or "
+     "surface and a file. A fixed vertex is at its target in TARGET, or keeps its position. A plane with a normal goes through the "
+     "same point. surface lets vertices slide on their triangles, or on the surface of the file (*.off, *.stl, *.ply, *.obj, "
+     "*.vtp). --others is about boundary vertices without a target and a line, here with the default free")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
      "the treatment of interior vertices with a target. met: they meet the target. free: they ignore it. auto: they meet it if "
      "some vertices have no target. A copy of SOURCE.mesh has one for all. Vertices between cells of different references then "

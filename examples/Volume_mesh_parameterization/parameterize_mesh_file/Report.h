@@ -34,7 +34,8 @@ struct Outcome
   std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
   std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0;
   std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
-  std::array<std::size_t, 4> numbers_of_conditions = {}; // vertices of the boundary: free, in planes, on lines, at targets
+  // vertices of the boundary: free, in planes, on lines, at targets, on surfaces, on curves
+  std::array<std::size_t, 6> numbers_of_conditions = {};
   std::optional<CGAL::Polycube_meshing_3::Polycube_result> polycube = {};
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Polycube_meshing_3::Hexahedral_mesh_result> hexahedra = {};

@@ -8,7 +8,7 @@
 #include "mend_source.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
 #include <algorithm>
@@ -205,10 +205,10 @@ inline std::size_t number_of_free_targets(const Target_points& target, const Poi
 }
 
 // Counts the vertices of a free boundary that have each condition, in the order of its kinds.
-inline std::array<std::size_t, 4> numbers_of_conditions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
+inline std::array<std::size_t, 6> numbers_of_conditions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
                                                         const Target_points& target)
 {
-  std::array<std::size_t, 4> result = {};
+  std::array<std::size_t, 6> result = {};
   if(!target.is_boundary_free)
     return result;
   for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))

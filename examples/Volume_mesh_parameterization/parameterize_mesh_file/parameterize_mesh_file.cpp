@@ -269,9 +269,15 @@ int main(int argc, char* argv[])
         std::cout << inside(outcome.number_of_targets_inside) << " met\n";
       if(outcome.number_of_missed_targets > 0)
         std::cout << inside(outcome.number_of_missed_targets) << " missed\n";
-      if(const auto& [free, in_planes, on_lines, at_targets] = outcome.numbers_of_conditions; free + in_planes + on_lines > 0)
+      const auto& [free, in_planes, on_lines, at_targets, on_surfaces, on_curves] = outcome.numbers_of_conditions;
+      if(free + in_planes + on_lines + on_surfaces + on_curves > 0)
+      {
         std::cout << "boundary vertices: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
-                  << " on lines, " << free << " free\n";
+                  << " on lines, " << free << " free";
+        if(on_surfaces + on_curves > 0)
+          std::cout << ", " << on_surfaces << " on surfaces, " << on_curves << " on curves";
+        std::cout << "\n";
+      }
       if(result.boundary_crosses_itself)
         std::cout << "the image of the free boundary intersects itself\n";
       if(outcome.number_of_free_targets > 0)

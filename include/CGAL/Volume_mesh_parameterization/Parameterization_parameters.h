@@ -12,12 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
-
 #include <Eigen/Core>
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -56,62 +52,6 @@ enum class Refinement_mode
   /// New vertices have the surface patch or the curve of the edge. If the refined boundary has no map, the boundary as given is
   /// mapped
   BOUNDARY
-};
-
-/*!
-\ingroup PkgVolumeMeshParameterizationResults
-
-The condition of the image of a vertex. The image is at its target, free, or in a plane or on a line through the target with a
-given direction. The value type of the named parameter `vertex_condition_map`.
-
-A vertex at its target has its coordinates to the bit. A plane orthogonal to an axis and a line along an axis prescribe
-coordinates to the bit, too. Other planes and lines are met within rounding.
-*/
-class Vertex_condition_3
-{
-public:
-  /// The kinds of conditions.
-  enum Kind
-  {
-    FREE,     ///< the image may be anywhere
-    IN_PLANE, ///< the image is in a plane through the target
-    ON_LINE,  ///< the image is on a line through the target
-    AT_TARGET ///< the image is the target
-  };
-
-  /// constructs the condition of a free vertex, which needs no target.
-  Vertex_condition_3() = default;
-
-  /// returns the condition of a free vertex.
-  static Vertex_condition_3 free() { return Vertex_condition_3(); }
-
-  /// returns the condition of a vertex whose image is its target.
-  static Vertex_condition_3 at_target() { return { AT_TARGET, {} }; }
-
-  /// returns the condition of a vertex in the plane through its target with the normal (x, y, z).
-  /// \pre The coordinates are finite, and not all of them are 0.
-  static Vertex_condition_3 in_plane(const double x, const double y, const double z) { return { IN_PLANE, { x, y, z } }; }
-
-  /// returns the condition of a vertex on the line through its target with the direction (x, y, z).
-  /// \pre The coordinates are finite, and not all of them are 0.
-  static Vertex_condition_3 on_line(const double x, const double y, const double z) { return { ON_LINE, { x, y, z } }; }
-
-  /// returns the kind.
-  Kind kind() const { return m_kind; }
-
-  /// returns the normal of the plane or the direction of the line, and otherwise zeros. Its length has no meaning.
-  const std::array<double, 3>& direction() const { return m_direction; }
-
-private:
-  Vertex_condition_3(const Kind kind, const std::array<double, 3>& direction) : m_kind(kind), m_direction(direction)
-  {
-    const bool is_finite = std::isfinite(direction[0]) && std::isfinite(direction[1]) && std::isfinite(direction[2]);
-    const bool is_zero = direction == std::array<double, 3>{};
-    internal::require(kind == AT_TARGET || (is_finite && !is_zero), "The direction of a condition must be finite and not zero.");
-  }
-
-  Kind m_kind = FREE;
-  std::array<double, 3> m_direction = {};
 };
 
 /*!

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 
 #include <boost/property_map/property_map.hpp>
 

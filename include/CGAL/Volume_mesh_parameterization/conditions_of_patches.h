@@ -12,11 +12,12 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Prescribed_position_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
@@ -35,13 +36,13 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-The condition of the images of the vertices of a surface patch: they keep their positions, or are in a plane.
+The condition of the images of the vertices of a surface patch: they keep their positions, are in a plane, or slide on a surface.
 */
 class Patch_condition_3
 {
 public:
   /// returns the condition of vertices that keep their positions.
-  static Patch_condition_3 in_place() { return Patch_condition_3(); }
+  static Patch_condition_3 in_place() { return Patch_condition_3(IN_PLACE); }
 
   /// returns the condition of vertices with the coordinate `value` along an axis, 0 for x, 1 for y, 2 for z.
   /// \pre The axis is 0, 1 or 2, and the value is finite.
@@ -54,29 +55,47 @@ public:
   {
     const Vertex_condition_3 plane = Vertex_condition_3::in_plane(x, y, z); // with the checks
     internal::require(std::isfinite(offset), "The offset of a plane must be finite.");
-    Patch_condition_3 result;
-    result.m_is_in_place = false;
+    Patch_condition_3 result(IN_PLANE);
     result.m_normal = plane.direction();
     result.m_offset = offset;
     return result;
   }
 
+  /// returns the condition of vertices that slide on a surface.
+  static Patch_condition_3 on_surface(const Any_surface_3& surface)
+  {
+    Patch_condition_3 result(ON_SURFACE);
+    result.m_surface = surface;
+    return result;
+  }
+
+  /// returns the condition of vertices that slide on the patch as it is. Between two such patches, and along edges with more than 60
+  /// degrees between normals, they slide on curves.
+  static Patch_condition_3 on_own_surface() { return Patch_condition_3(ON_OWN_SURFACE); }
+
 #ifndef DOXYGEN_RUNNING
+  bool is_on_own_surface() const { return m_kind == ON_OWN_SURFACE; }
+
   void add_to(internal::Prescribed_position_3& position, const std::size_t source) const
   {
-    if(m_is_in_place)
+    if(m_kind == IN_PLACE)
       position.add_start(source);
-    else
+    else if(m_kind == IN_PLANE)
       position.add_plane(m_normal, m_offset, source);
+    else if(m_kind == ON_SURFACE)
+      position.add_surface(Vertex_condition_3::on_surface(*m_surface), source);
   }
 #endif
 
 private:
-  Patch_condition_3() = default;
+  enum Kind { IN_PLACE, IN_PLANE, ON_SURFACE, ON_OWN_SURFACE };
 
-  bool m_is_in_place = true;
+  explicit Patch_condition_3(const Kind kind) : m_kind(kind) {}
+
+  Kind m_kind;
   std::array<double, 3> m_normal = {};
   double m_offset = 0;
+  std::optional<Any_surface_3> m_surface;
 };
 
 /*!
@@ -96,6 +115,52 @@ struct Conditions_and_targets_3
 
 namespace internal {
 
+// Facets on which their vertices slide, each with the number of its group.
+template <typename Vertex>
+class Own_surface_3
+{
+public:
+  void add_facet(const std::array<Vertex, 3>& facet, const std::size_t group)
+  {
+    m_facets.push_back({});
+    for(int i = 0; i < 3; ++i)
+      m_facets.back()[i] = m_indices.emplace(facet[i], m_indices.size()).first->second;
+    m_groups.push_back(group);
+  }
+
+  // Adds what the vertices may do to what is prescribed to them, by the first of their groups. `point(v)` is that of a vertex.
+  template <typename PointOf, typename PositionOf>
+  void add_to(const PointOf& point, const PositionOf& position) const
+  {
+    if(m_facets.empty())
+      return;
+    std::vector<std::array<double, 3> > points(m_indices.size());
+    std::vector<std::size_t> groups(points.size());
+    for(const auto& [v, i] : m_indices)
+      points[i] = point(v);
+    for(std::size_t f = m_facets.size(); f-- > 0;)
+      for(const std::size_t i : m_facets[f])
+        groups[i] = m_groups[f];
+    auto features = sharp_edges_3(m_facets, {}, [&](const std::size_t i) { return Vector_3(to_vector(points[i])); });
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      if(m_groups[begin->second[0] / 3] != m_groups[(end - 1)->second[0] / 3])
+        features.push_back(begin->first);
+    });
+    const Triangulated_surface_3 surface(points, m_facets, features);
+    for(const auto& [v, i] : m_indices)
+      if(const Vertex_condition_3& condition = surface.condition(i); condition.is_sliding())
+        position(v).add_surface(condition, groups[i]);
+      else
+        position(v).add_start(groups[i]);
+  }
+
+private:
+  std::map<Vertex, std::size_t> m_indices;
+  std::vector<std::array<std::size_t, 3> > m_facets;
+  std::vector<std::size_t> m_groups;
+};
+
 // Finds what the vertices of patches may do. `for_each_facet(f)` calls `f(patch, vertices)` for each facet of a patch.
 template <typename Vertex, typename Patch, typename ForEachFacet, typename PointOf>
 std::map<Vertex, Prescribed_position_3::Solution> solutions_of_patches(const std::map<Patch, Patch_condition_3>& conditions,
@@ -103,6 +168,7 @@ std::map<Vertex, Prescribed_position_3::Solution> solutions_of_patches(const std
                                                                        const PointOf& point)
 {
   std::map<Vertex, std::set<std::size_t> > patches_of_vertices; // patches by their numbers in the conditions
+  Own_surface_3<Vertex> own_surface;
   std::vector<bool> is_found(conditions.size(), false);
   for_each_facet([&](const Patch& patch, const auto& vertices)
   {
@@ -113,6 +179,8 @@ std::map<Vertex, Prescribed_position_3::Solution> solutions_of_patches(const std
     is_found[number] = true;
     for(const Vertex& v : vertices)
       patches_of_vertices[v].insert(number);
+    if(found->second.is_on_own_surface())
+      own_surface.add_facet(vertices, number);
   });
   const auto patch = [&](const std::size_t number) -> const auto&
   { return *std::next(conditions.begin(), static_cast<std::ptrdiff_t>(number)); };
@@ -120,12 +188,15 @@ std::map<Vertex, Prescribed_position_3::Solution> solutions_of_patches(const std
     if(!is_found[number])
       throw Input_error(sentence("No facet is of the patch ", patch(number).first, ", which has a condition."));
 
-  std::map<Vertex, Prescribed_position_3::Solution> result;
+  std::map<Vertex, Prescribed_position_3> positions;
   for(const auto& [v, numbers] : patches_of_vertices)
-  {
-    Prescribed_position_3 position(point(v), size);
     for(const std::size_t number : numbers)
-      patch(number).second.add_to(position, number);
+      patch(number).second.add_to(positions.try_emplace(v, point(v), size).first->second, number);
+  own_surface.add_to(point, [&](const Vertex& v) -> Prescribed_position_3& { return positions.at(v); });
+
+  std::map<Vertex, Prescribed_position_3::Solution> result;
+  for(const auto& [v, position] : positions)
+  {
     const Prescribed_position_3::Solution solution = position.solution();
     if(!solution.fault.empty())
       throw Input_error(sentence("The conditions of the patches ",
@@ -170,6 +241,9 @@ all. Vertices of no such patch are free.
 \param conditions the condition of each patch, by its index
 
 \return the conditions, to be passed by `make_vertex_condition_map()`, and the targets, by `make_vertex_point_map()`
+
+A vertex of two surfaces, or of a surface and a plane, slides on the curve in which they intersect. A vertex of more of them is at
+a point of all.
 
 Throws `Input_error` if no facet is of a patch, or if a vertex cannot meet the conditions of all its patches. Planes must meet
 within rounding, relative to the diagonal of the complex, and must not be nearly parallel, with an angle below 1e-9 radians. The

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 
 #include <optional>
 
@@ -21,20 +22,52 @@ namespace CGAL::Volume_mesh_parameterization {
 
 namespace internal {
 
+// Surfaces that lines name, each read once.
+class Surfaces_of_files
+{
+public:
+  const Any_surface_3& of_file(const std::string& filename, const Budget& budget)
+  {
+    if(const auto found = m_surfaces.find(filename); found != m_surfaces.end())
+      return found->second;
+    try
+    {
+      const Tetrahedron_soup_3 soup = read_surface(filename, budget);
+      return m_surfaces.emplace(filename, Triangulated_surface_3(soup.points, soup.facets)).first->second;
+    }
+    catch(const Input_error& error)
+    {
+      throw Input_error(filename + ": " + error.what());
+    }
+  }
+
+private:
+  std::map<std::string, Any_surface_3> m_surfaces;
+};
+
 // A line of a file of conditions, and the vertices it is about. `vertices_of(i)` returns the vertices with an index, none if there
 // is no such index.
 class Line_of_conditions
 {
 public:
   template <typename VerticesOf>
-  Line_of_conditions(Text_scanner line, const Tetrahedron_soup_3& soup, const VerticesOf& vertices_of, const Budget& budget)
+  Line_of_conditions(Text_scanner line, const Tetrahedron_soup_3& soup, const VerticesOf& vertices_of,
+                     Surfaces_of_files& surfaces, const Budget& budget)
     : m_number(line.line())
   {
     read_vertices(line, soup, vertices_of);
-    read_condition(line, budget);
+    read_condition(line, surfaces, budget);
   }
 
   const std::set<std::size_t>& vertices() const { return m_vertices; }
+
+  // Adds the facets to a surface, if their vertices are to slide on them.
+  void add_to(Own_surface_3<std::size_t>& surface) const
+  {
+    if(m_kind == "surface" && !m_surface)
+      for(const std::array<std::size_t, 3>& facet : m_facets)
+        surface.add_facet(facet, m_number);
+  }
 
   // Adds what the line asks for to what is prescribed to a vertex.
   void add_to(Prescribed_position_3& position) const
@@ -43,6 +76,8 @@ public:
       position.add_start(m_number);
     if(m_kind == "plane")
       position.add_plane(m_normal, m_offset, m_number);
+    if(m_surface)
+      position.add_surface(Vertex_condition_3::on_surface(*m_surface), m_number);
   }
 
 private:
@@ -64,7 +99,10 @@ private:
     {
       for(std::size_t f = 0; f < soup.facets.size(); ++f)
         if(references.count(soup.facet_references[f]) > 0)
+        {
+          m_facets.push_back(soup.facets[f]);
           m_vertices.insert(soup.facets[f].begin(), soup.facets[f].end());
+        }
     };
     int reference;
     if(const auto end = key.data() + key.size(); !is_quoted && std::from_chars(key.data(), end, reference).ptr == end)
@@ -98,7 +136,7 @@ private:
     return "There are " + list + (has_blanks ? "; names with blanks need quotes" : "");
   }
 
-  void read_condition(Text_scanner& line, const Budget& budget)
+  void read_condition(Text_scanner& line, Surfaces_of_files& surfaces, const Budget& budget)
   {
     m_kind = line.next_word();
     const bool is_coordinate = m_kind.size() > 2 && m_kind[1] == '=' && m_kind[0] >= 'x' && m_kind[0] <= 'z';
@@ -115,16 +153,26 @@ private:
       if(m_normal == std::array<double, 3>{})
         line.fail("the normal of a plane is zero");
     }
+    else if(m_kind == "surface")
+    {
+      const std::string filename(line.rest().empty() ? "" : line.is_at_quote() ? line.next_quoted() : line.next_word());
+      if(!filename.empty())
+        m_surface = surfaces.of_file(filename, budget);
+      else if(m_facets.empty())
+        line.fail("a vertex has no surface of its own; use the file of a surface, or the reference of triangles");
+    }
     else if(m_kind != "fixed" && m_kind != "free")
-      line.fail(Text_scanner::quote(m_kind) + " is not a condition: fixed, free, plane with a normal, or x=1");
+      line.fail(Text_scanner::quote(m_kind) + " is not a condition: fixed, free, plane with a normal, x=1, or surface");
     line.expect_end("the condition");
   }
 
   std::size_t m_number;
   std::set<std::size_t> m_vertices;
+  std::vector<std::array<std::size_t, 3> > m_facets;
   std::string m_kind;
   std::array<double, 3> m_normal = {};
   std::optional<double> m_offset; // of the plane; through the target if there is none
+  std::optional<Any_surface_3> m_surface; // of a file; the facets if there is none
 };
 
 } // namespace internal
@@ -136,7 +184,8 @@ namespace IO {
 /// reads the conditions of vertices of a mesh from a file of lines. A line begins with the reference or the name of marked facets,
 /// or with `vertex` and an index that starts at 0. A name may stand in quotes, and must if it has blanks, or if it is also a
 /// reference of facets. If several groups have a name, the line is about all of them. The condition follows: `fixed`, `free`,
-/// `plane` with the three coordinates of a normal, or `x=1`, `y=1`, `z=1` with any number. A vertex of several lines has all of
+/// `plane` with the three coordinates of a normal, `x=1`, `y=1`, `z=1` with any number, or `surface` with the name of a file of a
+/// surface. Without a name, the vertices slide on the facets as they are. A vertex of several lines has all of
 /// their conditions; their order does not matter. A coordinate is met to the bit. The rest of a line behind `#` is skipped.
 ///
 /// \param filename the name of the file
@@ -166,12 +215,17 @@ bool read_vertex_conditions(const std::string& filename, const Tetrahedron_soup_
     const double size = internal::diagonal_of_cells(soup);
     internal::Text_scanner scanner(text, budget);
     std::map<std::size_t, internal::Prescribed_position_3> positions;
+    internal::Surfaces_of_files surfaces;
+    internal::Own_surface_3<std::size_t> own_surface;
     while(!scanner.rest().empty())
     {
-      const internal::Line_of_conditions line(scanner.next_line(), soup, vertices_of_index, budget);
+      const internal::Line_of_conditions line(scanner.next_line(), soup, vertices_of_index, surfaces, budget);
+      line.add_to(own_surface);
       for(const std::size_t v : line.vertices())
         line.add_to(positions.try_emplace(v, std::isnan(targets[v][0]) ? soup.points[v] : targets[v], size).first->second);
     }
+    own_surface.add_to([&](const std::size_t v) { return soup.points[v]; },
+                       [&](const std::size_t v) -> internal::Prescribed_position_3& { return positions.at(v); });
     std::map<std::size_t, internal::Prescribed_position_3::Solution> solutions;
     for(const auto& [v, position] : positions)
     {

@@ -111,7 +111,8 @@ Parameterization_result run_problem(const NamedParameters& np, const Run& run,
   options.minimize_maximum_angle_distortion = bound == least_angle_distortion;
   if(!options.minimize_maximum_angle_distortion)
     options.maximum_angle_distortion = bound;
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+  if constexpr(has_conditions<NamedParameters>
+               || !parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
                || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value)
     options.improve = &slide_and_bound_angles_3;
   require(options.energy_tolerance >= 0, "energy_tolerance must not be negative.");

@@ -62,7 +62,13 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
     mesh.projectors.push_back(projector_3(conditions[numbered.points[v]]));
   if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.is_zero(); }))
     mesh.projectors.clear();
-  const auto is_fixed = [&](const std::size_t p) { return conditions[p].kind() == Vertex_condition_3::AT_TARGET; };
+  if(std::any_of(conditions.begin(), conditions.end(), [](const auto& condition) { return condition.is_sliding(); }))
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+    {
+      const Vertex_condition_3& condition = conditions[numbered.points[v]];
+      mesh.surfaces.push_back(condition.is_sliding() ? condition : Vertex_condition_3::free());
+    }
+  const auto is_fixed = [&](const std::size_t p) { return is_at_target_first(conditions[p]); };
   if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
     return; // the check of the input names the place
   for(const std::array<std::size_t, 3>& facet : body.boundary)

@@ -109,7 +109,8 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
   const double bound = options.maximum_angle_distortion;
   const bool exceeds_bound
     = std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound);
-  if((!options.do_slide && !options.minimize_maximum_angle_distortion && !exceeds_bound) || progress.is_interrupted())
+  const bool do_slide = options.do_slide || !mesh.surfaces.empty();
+  if((!do_slide && !options.minimize_maximum_angle_distortion && !exceeds_bound) || progress.is_interrupted())
     return found;
   std::optional<Sliding_boundary_3> sliding;
   if(options.do_slide)
@@ -117,13 +118,20 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     sliding.emplace(mesh, [&](const int v) { return !mesh.is_held.empty() && mesh.is_held[v]; });
     found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
   }
-  Newton_system_3 system(mesh, free_vertices(mesh, sliding ? sliding->projectors() : mesh.projectors), problem.solver);
+  else if(do_slide)
+  {
+    sliding.emplace(mesh);
+    found.number_of_sliding_vertices
+      = std::count_if(mesh.surfaces.begin(), mesh.surfaces.end(), [](const auto& surface) { return surface.is_sliding(); });
+  }
+  Newton_system_3 system(mesh, sliding ? free_vertices(mesh, sliding->projectors(), sliding->surfaces()) : free_vertices(mesh),
+                         problem.solver);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();
     const Newton_result_3 result = minimize_energy_3(system, psi, from.map.positions, progress, Negative_curvature(),
                                                      ends_here, options.negligible_gain());
-    from.map = sliding ? evaluated_map(mesh, *sliding, snapped(mesh, result.positions, sliding->projectors()))
+    from.map = sliding ? evaluated_map(mesh, *sliding, result.positions)
                        : evaluated_map(mesh, snapped(mesh, result.positions));
     from.status = result.status;
     from.reason = result.reason;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
@@ -216,7 +217,7 @@ std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& pr
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription);
 
-// Returns the target with 0 in place of missing coordinates that are not prescribed.
+// Returns the target with 0 in place of missing coordinates that are not prescribed, or the nearest point of the surface.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition);
 
@@ -254,8 +255,9 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
   for(std::size_t p = 0; p < number_of_points; ++p)
     if(has_cell[p] && is_prescribed[p])
     {
-      const std::array<double, 3> point = body.image_type.rounded_point(coordinates(target(p)));
-      result.targets[p] = result.conditions.empty() ? point : completed_target(point, result.conditions[p]);
+      const std::array<double, 3> point = coordinates(target(p));
+      result.targets[p] = body.image_type.rounded_point(result.conditions.empty() ? point
+                                                                                  : completed_target(point, result.conditions[p]));
     }
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
   {

@@ -76,13 +76,15 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Bo
 {
   std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
   for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
-    result[p] = prescription.conditions[p].kind() == Vertex_condition_3::AT_TARGET;
+    result[p] = is_at_target_first(prescription.conditions[p]);
   return result;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
 {
+  if(condition.is_sliding())
+    return condition.surface().nearest_point(target).point;
   const Matrix_3 P = projector_3(condition);
   for(int i = 0; i < 3; ++i)
     if(std::isnan(target[i]) && P.col(i) == Vector_3::Unit(i))

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -28,8 +29,9 @@ inline Vector_3 offset_3(const Matrix_3& projector, const Vector_3& position, co
 }
 
 // The positions with the prescribed vertices on their targets, or at the nearest points at which they may be. A coordinate that
-// cannot change has the bits of the target.
-inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors)
+// cannot change has the bits of the target. Some vertices are on surfaces, if there are any.
+inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors,
+                         const std::vector<Vertex_condition_3>& surfaces = {})
 {
   const int n = mesh.number_of_prescribed_vertices();
   if(projectors.empty())
@@ -37,6 +39,11 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
   for(std::size_t i = 0; i < projectors.size(); ++i)
   {
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
+    if(!surfaces.empty() && surfaces[i].is_sliding())
+    {
+      positions.col(v) = put_on_surface_3(surfaces[i], positions.col(v)).first;
+      continue;
+    }
     positions.col(v) -= offset_3(projectors[i], positions.col(v), mesh.target.col(v));
     for(int k = 0; k < 3; ++k)
       if(projectors[i].row(k) == Vector_3::Zero())
@@ -50,7 +57,8 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 
 // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in directions along the axes
 // there is none.
-inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors)
+inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors,
+                                  const std::vector<Vertex_condition_3>& surfaces)
 {
   const int n = mesh.number_of_prescribed_vertices();
   if(projectors.empty())
@@ -60,8 +68,11 @@ inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   for(int i = 0; i < n; ++i)
   {
     const int v = mesh.number_of_free_vertices + i;
-    const double distance = length_3(offset_3(projectors[i], positions.col(v), mesh.target.col(v)));
-    if(distance > (projectors[i].is_diagonal() ? 0 : rounding))
+    const bool is_on_surface = !surfaces.empty() && surfaces[i].is_sliding();
+    const double distance
+      = is_on_surface ? length_3(put_on_surface_3(surfaces[i], positions.col(v)).first - Vector_3(positions.col(v)))
+                      : length_3(offset_3(projectors[i], positions.col(v), mesh.target.col(v)));
+    if(distance > (projectors[i].is_diagonal() && !is_on_surface ? 0 : rounding))
       result = (std::max)(result, distance);
   }
   return result;
@@ -86,14 +97,15 @@ struct Map_3
 };
 
 // Evaluates positions that are to have the prescribed vertices where they may be.
-inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors)
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors,
+                           const std::vector<Vertex_condition_3>& surfaces = {})
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);
   Map_3 map;
   map.number_of_inverted_cells = inverted.number;
   map.inverted_cells = std::move(inverted.cells);
-  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, projectors));
+  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, projectors, surfaces));
   map.meets_boundary = mesh.communicator->all(projectors.empty() ? positions.rightCols(n) == mesh.target.rightCols(n)
                                                                  : map.distance_to_boundary == 0);
   map.positions = std::move(positions);

@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
@@ -52,6 +53,7 @@ struct Numbered_mesh_3
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   std::vector<Matrix_3> projectors; // of prescribed vertices, onto the directions in which each may move; none if all stay
+  std::vector<Vertex_condition_3> surfaces; // on which prescribed vertices slide; none if none does, free if a vertex does not
   std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
   std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any

@@ -12,8 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_intersection_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -26,7 +27,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The planes that are prescribed to a vertex, each by a source: a line of a file, or a patch. Their order does not matter.
+// The planes, surfaces and curves that are prescribed to a vertex, each by a source: a line of a file, or a patch. The order of planes
+// does not matter.
 class Prescribed_position_3
 {
 public:
@@ -63,8 +65,29 @@ public:
       add_plane(unit(axis), {}, source);
   }
 
-  // Coordinates are met to the bit, so they come first.
+  // Adds a surface or curve on which the vertex slides, unless it is there.
+  void add_surface(const Vertex_condition_3& condition, const std::size_t source)
+  {
+    for(const Surface& surface : m_surfaces)
+      if(surface.condition.surface() == condition.surface())
+        return;
+    m_surfaces.push_back({ condition, source });
+  }
+
   Solution solution() const
+  {
+    const Solution in_planes = solution_in_planes();
+    return m_surfaces.empty() || !in_planes.fault.empty() ? in_planes : solution_on_surfaces(in_planes);
+  }
+
+private:
+  using Vector = Simple_cartesian<Exact_rational>::Vector_3;
+  struct Coordinate { int axis; double value; std::size_t source; };
+  struct Plane { Point normal; Exact_rational offset; std::size_t source; };
+  struct Surface { Vertex_condition_3 condition; std::size_t source; };
+
+  // Coordinates are met to the bit, so they come first.
+  Solution solution_in_planes() const
   {
     Point point = m_start;
     std::array<const Coordinate*, 3> met = {};
@@ -79,10 +102,75 @@ public:
     return m_planes.empty() ? Solution{ condition(met), point } : solution(met, point);
   }
 
-private:
-  using Vector = Simple_cartesian<Exact_rational>::Vector_3;
-  struct Coordinate { int axis; double value; std::size_t source; };
-  struct Plane { Point normal; Exact_rational offset; std::size_t source; };
+  // Plane, line or point that planes allow, through a target.
+  struct Allowed_by_planes
+  {
+    Vector_3 target;
+    Matrix_3 projector;
+
+    Surface_point_3 nearest_point(const Point& p) const
+    {
+      const Vector_3 moved = projector * (Vector_3(p[0], p[1], p[2]) - target);
+      Point q;
+      for(int i = 0; i < 3; ++i) // a coordinate that cannot change is that of the target
+        q[i] = projector.row(i) == Vector_3::Zero() ? target[i] : target[i] + moved[i];
+      const Vector_3 normal = (Matrix_3::Identity() - projector).col((Vector_3::Ones() - diagonal()).largest_index());
+      return { q, { normal[0], normal[1], normal[2] } };
+    }
+
+  private:
+    Vector_3 diagonal() const { return { projector(0, 0), projector(1, 1), projector(2, 2) }; }
+  };
+
+  // Goes on from the solution of the planes. One surface and a plane, or two surfaces, intersect in a curve. More of them meet in a
+  // point, to which projections on one after the other converge.
+  Solution solution_on_surfaces(Solution solution) const
+  {
+    constexpr double rounding = 1e-12; // relative to the size
+    constexpr int maximum_number_of_projections = 1000; // a guess
+    using Condition = Vertex_condition_3;
+    const auto& [x, y, z] = solution.target;
+    const Allowed_by_planes planes = { { x, y, z }, projector_3(solution.condition) };
+    const Condition &first = m_surfaces.front().condition, &last = m_surfaces.back().condition;
+    const bool is_free = solution.condition.kind() == Condition::FREE;
+    const bool are_surfaces = first.kind() == Condition::ON_SURFACE && last.kind() == Condition::ON_SURFACE;
+    if(is_free && m_surfaces.size() == 1)
+      solution.condition = first;
+    else if(solution.condition.kind() == Condition::IN_PLANE && m_surfaces.size() == 1 && are_surfaces)
+      solution.condition = Condition::on_curve(Surface_intersection_3(first.surface(), planes));
+    else if(is_free && m_surfaces.size() == 2 && are_surfaces)
+      solution.condition = Condition::on_curve(Surface_intersection_3(first.surface(), last.surface()));
+    else
+      solution.condition = Condition::at_target();
+
+    if(solution.condition.is_sliding())
+      solution.target = solution.condition.surface().nearest_point(solution.target).point;
+    for(int i = 0; i < maximum_number_of_projections && !is_on_surfaces(solution.target, 0); ++i)
+    {
+      for(const Surface& surface : m_surfaces)
+        solution.target = surface.condition.surface().nearest_point(solution.target).point;
+      solution.target = planes.nearest_point(solution.target).point;
+    }
+    if(is_on_surfaces(solution.target, rounding * m_size))
+      return solution;
+    std::set<std::size_t> sources;
+    for(const Surface& surface : m_surfaces)
+      sources.insert(surface.source);
+    for(const Coordinate& coordinate : m_coordinates)
+      sources.insert(coordinate.source);
+    for(const Plane& plane : m_planes)
+      sources.insert(plane.source);
+    return contradiction(sources);
+  }
+
+  bool is_on_surfaces(const Point& p, const double tolerance) const
+  {
+    return std::all_of(m_surfaces.begin(), m_surfaces.end(), [&](const Surface& surface)
+    {
+      const Point q = surface.condition.surface().nearest_point(p).point;
+      return length_3({ q[0] - p[0], q[1] - p[1], q[2] - p[2] }) <= tolerance;
+    });
+  }
 
   static Solution contradiction(std::set<std::size_t> sources)
   { return { {}, {}, std::move(sources), "contradict each other", "no point meets all of them" }; }
@@ -201,6 +289,7 @@ private:
   double m_size;
   std::vector<Coordinate> m_coordinates;
   std::vector<Plane> m_planes; // those that are not orthogonal to an axis
+  std::vector<Surface> m_surfaces; // and curves
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -118,6 +118,16 @@ private:
 class Sliding_boundary_3
 {
 public:
+  // Takes the conditions of a mesh. Those on surfaces slide.
+  explicit Sliding_boundary_3(const Numbered_mesh_3& mesh)
+    : m_mesh(mesh), m_regions(mesh.target, {}, 0), m_projectors(mesh.projectors), m_surfaces(mesh.surfaces)
+  {
+    m_projectors.resize(m_surfaces.size(), Matrix_3::Zero());
+    for(std::size_t i = 0; i < m_surfaces.size(); ++i)
+      if(m_surfaces[i].is_sliding())
+        m_projectors[i] = put_on_surface_3(m_surfaces[i], mesh.target.col(mesh.number_of_free_vertices + i)).second;
+  }
+
   // Vertices for which `is_constrained` is true stay at their targets, too.
   template <typename Predicate>
   Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
@@ -142,6 +152,9 @@ public:
 
   // Returns the projector of each prescribed vertex onto the directions in which it may move.
   const Projectors_3& projectors() const { return m_projectors; }
+
+  // Returns the conditions of prescribed vertices on surfaces, free for others, or none.
+  const std::vector<Vertex_condition_3>& surfaces() const { return m_surfaces; }
 
   // Is each facet of a planar region oriented as in the target? Decided by exact predicates on the
   // coordinates, without the one in which the normal is the longest.
@@ -213,13 +226,15 @@ private:
   const Numbered_mesh_3& m_mesh;
   std::vector<std::array<int, 3> > m_facets;
   Planar_regions_3 m_regions;
-  Projectors_3 m_projectors;
+  Projectors_3 m_projectors; // at the targets, if a vertex is on a surface
+  std::vector<Vertex_condition_3> m_surfaces;
 };
 
-// Evaluates positions whose prescribed vertices may slide.
+// Puts vertices that slide where they may be, and evaluates their positions.
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
 {
-  Map_3 map = evaluated_map(mesh, std::move(positions), boundary.projectors());
+  positions = snapped(mesh, std::move(positions), boundary.projectors(), boundary.surfaces());
+  Map_3 map = evaluated_map(mesh, std::move(positions), boundary.projectors(), boundary.surfaces());
   map.meets_boundary = map.meets_boundary && boundary.has_same_orientations(map.positions);
   return map;
 }

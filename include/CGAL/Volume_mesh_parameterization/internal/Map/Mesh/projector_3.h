@@ -12,12 +12,17 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point.
+// Returns whether a vertex is at its target until it slides, if it does.
+inline bool is_at_target_first(const Vertex_condition_3& condition)
+{ return condition.kind() == Vertex_condition_3::AT_TARGET || condition.is_sliding(); }
+
+// Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point. A vertex on a surface
+// or a curve stays until it slides.
 inline Matrix_3 projector_3(const Vertex_condition_3& condition)
 {
   const auto& [x, y, z] = condition.direction();
@@ -27,9 +32,22 @@ inline Matrix_3 projector_3(const Vertex_condition_3& condition)
     case Vertex_condition_3::FREE: return Matrix_3::Identity();
     case Vertex_condition_3::IN_PLANE: return Matrix_3::Identity() - Matrix_3::outer_product(n, n);
     case Vertex_condition_3::ON_LINE: return Matrix_3::outer_product(n, n);
-    case Vertex_condition_3::AT_TARGET: return Matrix_3::Zero();
+    case Vertex_condition_3::AT_TARGET:
+    case Vertex_condition_3::ON_SURFACE:
+    case Vertex_condition_3::ON_CURVE: return Matrix_3::Zero();
   }
   return Matrix_3::Zero();
+}
+
+// Returns the point to which a vertex is put back on its surface or curve, and the projector onto the directions in which it may
+// move from there.
+inline std::pair<Vector_3, Matrix_3> put_on_surface_3(const Vertex_condition_3& condition, const Vector_3& p)
+{
+  const auto [point, direction] = condition.surface().nearest_point({ p[0], p[1], p[2] });
+  const Vector_3 n = unit_vector_3({ direction[0], direction[1], direction[2] });
+  const Matrix_3 along = Matrix_3::outer_product(n, n);
+  return { Vector_3(point[0], point[1], point[2]),
+           condition.kind() == Vertex_condition_3::ON_CURVE ? along : Matrix_3::Identity() - along };
 }
 
 // Returns whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane

@@ -66,6 +66,17 @@ public:
     m_references = references;
   }
 
+  // Returns positions after a step along directions, with vertices put back on their surfaces.
+  Positions moved(const Positions& u, const double length, const Positions& d) const
+  {
+    Positions result = u + length * d;
+    m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
+    return result;
+  }
+
+  // Lets vertices on surfaces move in the tangent planes at positions from now on.
+  void renew_projectors(const Positions& u) { m_unknowns.renew_projectors(u, m_scale, m_mesh.is_parallel); }
+
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
     const Energy_evaluation part = evaluate_energy(m_packs, energy, u);

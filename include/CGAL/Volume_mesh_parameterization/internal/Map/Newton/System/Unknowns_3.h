@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Compressed_rows.h>
 
@@ -35,12 +36,17 @@ public:
       }
   }
 
-  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line.
-  explicit Unknowns_3(const std::vector<Matrix_3>& projectors)
+  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line. Some are on
+  // surfaces, if there are any.
+  explicit Unknowns_3(const std::vector<Matrix_3>& projectors, const std::vector<Vertex_condition_3>& surfaces = {})
     : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].is_zero(); })
   {
     for(const int v : m_vertices)
+    {
       m_projectors.push_back(projectors[v]);
+      if(!surfaces.empty())
+        m_surfaces.push_back(surfaces[v]);
+    }
   }
 
   // These without some vertices.
@@ -48,9 +54,13 @@ public:
   Unknowns_3 without(const Predicate& is_known) const
   {
     Unknowns_3 result(number_of_vertices(), [&](const int v) { return contains(v) && !is_known(v); });
-    if(!m_projectors.empty())
-      for(const int v : result.m_vertices)
+    for(const int v : result.m_vertices)
+    {
+      if(!m_projectors.empty())
         result.m_projectors.push_back(m_projectors[row(v)]);
+      if(!m_surfaces.empty())
+        result.m_surfaces.push_back(m_surfaces[row(v)]);
+    }
     return result;
   }
 
@@ -77,6 +87,20 @@ public:
     for(const int v : m_vertices)
       result.push_back({ positions(0, v), positions(1, v), positions(2, v) });
     return result;
+  }
+
+  // Puts vertices back on their surfaces, of positions that are multiplied by a scale.
+  void put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
+  {
+    for_each_on_surface(is_parallel, [&](const int row)
+    { positions.col(vertex(row)) = scale * put_on_surface_3(m_surfaces[row], positions.col(vertex(row)) / scale).first; });
+  }
+
+  // Lets vertices on surfaces move in the tangent planes at their positions from now on.
+  void renew_projectors(const Matrix3Xd& positions, const double scale, const bool is_parallel)
+  {
+    for_each_on_surface(is_parallel, [&](const int row)
+    { m_projectors[row] = put_on_surface_3(m_surfaces[row], positions.col(vertex(row)) / scale).second; });
   }
 
   // Let P be the projector of all unknowns onto the directions in which they may move. The solution d of P H P d = -P g is in
@@ -109,19 +133,34 @@ public:
   }
 
 private:
+  template <typename Function>
+  void for_each_on_surface(const bool is_parallel, const Function& f) const
+  {
+    constexpr int rows_per_range = 64; // a guess
+    for_each_in_ranges(is_parallel, static_cast<int>(m_surfaces.size()), rows_per_range, [&](const int row)
+    {
+      if(m_surfaces[row].is_sliding())
+        f(row);
+    });
+  }
+
   std::vector<int> m_rows;                   // of each vertex
   std::vector<int> m_vertices;               // of each row
   std::vector<Matrix_3> m_projectors; // of each row; none if all directions are free
+  std::vector<Vertex_condition_3> m_surfaces; // of each row; none if no vertex is on one
 };
 
-// The free vertices, and those of the others that may move in the directions of their projectors.
-inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Matrix_3>& projectors)
+// The free vertices, and those of the others that may move in the directions of their projectors, or on surfaces.
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Matrix_3>& projectors,
+                                const std::vector<Vertex_condition_3>& surfaces = {})
 {
   if(projectors.empty())
     return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
   std::vector<Matrix_3> of_all(mesh.number_of_free_vertices, Matrix_3::Identity());
   of_all.insert(of_all.end(), projectors.begin(), projectors.end());
-  return Unknowns_3(of_all);
+  std::vector<Vertex_condition_3> surfaces_of_all(surfaces.empty() ? 0 : mesh.number_of_free_vertices);
+  surfaces_of_all.insert(surfaces_of_all.end(), surfaces.begin(), surfaces.end());
+  return Unknowns_3(of_all, surfaces_of_all);
 }
 
 inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh) { return free_vertices(mesh, mesh.projectors); }

@@ -7,12 +7,10 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_AABB_TREES_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_AABB_TREES_3_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_AABB_TREES_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_AABB_TREES_3_H
 
-#include <CGAL/license/Polycube_meshing_3.h>
-
-#include <CGAL/Polycube_meshing_3/internal/basic.h>
+#include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -31,7 +29,7 @@
 
 #include <vector>
 
-namespace CGAL::Polycube_meshing_3::internal {
+namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Kernel of the trees, with the vectors that they are built of.
 struct AABB_trees_3
@@ -48,6 +46,6 @@ struct AABB_trees_3
 #endif
 };
 
-} // namespace CGAL::Polycube_meshing_3::internal
+} // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_AABB_TREES_3_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_AABB_TREES_3_H

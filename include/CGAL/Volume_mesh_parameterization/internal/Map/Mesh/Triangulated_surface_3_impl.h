@@ -1,0 +1,220 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_TRIANGULATED_SURFACE_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_TRIANGULATED_SURFACE_3_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/AABB_trees_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+
+#include <map>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+namespace internal {
+
+inline Vector_3 nearest_point(const AABB_trees_3::Kernel::Segment_3& segment, const Vector_3& p)
+{
+  const Vector_3 a = to_vector(segment[0]), b = to_vector(segment[1]), d = b - a;
+  const double t = d.dot(p - a) / d.squaredNorm();
+  return t >= 1 ? b : t > 0 ? a + t * d : a;
+}
+
+// Combines the vertices with weights in [0, 1]. Therefore, the point is on the triangle within rounding, whatever its shape is.
+inline Vector_3 nearest_point(const AABB_trees_3::Kernel::Triangle_3& triangle, const Vector_3& p)
+{
+  const Vector_3 a = to_vector(triangle[0]), u = Vector_3(to_vector(triangle[1])) - a, v = Vector_3(to_vector(triangle[2])) - a;
+  const Vector_3 n = u.cross(v);
+  const double s = n.dot((p - a).cross(v)) / n.squaredNorm(), t = n.dot(u.cross(p - a)) / n.squaredNorm();
+  if(s >= 0 && t >= 0 && s + t <= 1)
+    return a + (s * u + t * v);
+  Vector_3 nearest = a;
+  for(int i = 0; i < 3; ++i)
+  {
+    const Vector_3 q = nearest_point(AABB_trees_3::Kernel::Segment_3(triangle[i], triangle[i + 1]), p);
+    if(i == 0 || (q - p).squaredNorm() < (nearest - p).squaredNorm())
+      nearest = q;
+  }
+  return nearest;
+}
+
+inline Vector_3 direction_of(const AABB_trees_3::Kernel::Segment_3& segment) { return to_vector(segment.to_vector()); }
+
+inline Vector_3 direction_of(const AABB_trees_3::Kernel::Triangle_3& triangle)
+{ return Vector_3(to_vector(triangle[1] - triangle[0])).cross(to_vector(triangle[2] - triangle[0])); }
+
+// Triangles or segments with their tree.
+template <typename Tree, typename Simplex>
+class Simplices_with_tree_3
+{
+public:
+  explicit Simplices_with_tree_3(std::vector<Simplex> simplices)
+    : m_simplices(std::make_shared<const std::vector<Simplex> >(std::move(simplices)))
+  {
+    auto tree = std::make_shared<Tree>(m_simplices->begin(), m_simplices->end());
+    tree->build();
+    tree->accelerate_distance_queries();
+    m_tree = std::move(tree);
+  }
+
+  Surface_point_3 nearest_point(const std::array<double, 3>& p) const
+  {
+    if(!Vector_3(p[0], p[1], p[2]).allFinite())
+      return { p, {} };
+    const Simplex& simplex = *m_tree->closest_point_and_primitive(exact_point(p)).second;
+    Box_3 box;
+    for(int i = 0; i < simplex_size; ++i)
+      box.extend(to_vector(simplex[i]));
+    // a coordinate that all vertices have is met to the bit
+    const Vector_3 q = internal::nearest_point(simplex, to_vector(p)).cwiseMax(box.smallest).cwiseMin(box.largest);
+    const Vector_3 d = direction_of(simplex);
+    return { { q[0], q[1], q[2] }, { d[0], d[1], d[2] } };
+  }
+
+private:
+  static constexpr int simplex_size = std::is_same_v<Simplex, AABB_trees_3::Kernel::Segment_3> ? 2 : 3;
+
+  std::shared_ptr<const std::vector<Simplex> > m_simplices;
+  std::shared_ptr<const Tree> m_tree;
+};
+
+using Segments_with_tree_3 = Simplices_with_tree_3<AABB_trees_3::Of_segments, AABB_trees_3::Kernel::Segment_3>;
+using Triangles_with_tree_3 = Simplices_with_tree_3<AABB_trees_3::Of_triangles, AABB_trees_3::Kernel::Triangle_3>;
+
+// Feature edges as curves, and the number of curves at each of their vertices, with two at a corner where a curve turns.
+class Feature_curves_3
+{
+public:
+  using Edge = std::array<std::size_t, 2>;
+
+  Feature_curves_3(std::vector<Edge> edges, const std::vector<std::array<double, 3> >& points) : m_edges(std::move(edges))
+  {
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(const std::size_t v : m_edges[e])
+        m_edges_of_vertices[v].push_back(e);
+    Disjoint_sets sets(m_edges.size());
+    const auto direction_from = [&](const std::size_t v, const std::size_t e) -> Vector_3
+    {
+      const Vector_3 p = to_vector(points[m_edges[e][0]]), q = to_vector(points[m_edges[e][1]]);
+      return ((m_edges[e][0] == v ? 1 : -1) * (q - p)).stableNormalized();
+    };
+    for(const auto& [v, at] : m_edges_of_vertices)
+      if(at.size() == 2 && -direction_from(v, at[0]).dot(direction_from(v, at[1])) >= cosine_of_smooth_turn())
+        sets.unite(at[0], at[1]);
+      else
+        m_corners.insert(v);
+    m_curves = sets.numbers();
+  }
+
+  const std::vector<Edge>& edges() const { return m_edges; }
+  const std::vector<std::size_t>& curves() const { return m_curves; } // of each edge
+  const std::map<std::size_t, std::vector<std::size_t> >& edges_of_vertices() const { return m_edges_of_vertices; }
+  bool is_corner(const std::size_t v) const { return m_corners.count(v) > 0; }
+
+private:
+  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_curves;
+  std::map<std::size_t, std::vector<std::size_t> > m_edges_of_vertices;
+  std::set<std::size_t> m_corners;
+};
+
+inline void check_surface(const std::vector<std::array<double, 3> >& points,
+                          const std::vector<std::array<std::size_t, 3> >& triangles,
+                          const std::vector<std::array<std::size_t, 2> >& features)
+{
+  const auto check = [&](const auto& simplices, const char* const name)
+  {
+    for(const auto& simplex : simplices)
+      for(const std::size_t v : simplex)
+        if(v >= points.size())
+          throw Input_error(sentence("A ", name, " of a surface has the point ", v, ", but there are ", points.size(), "."));
+        else if(!is_finite_point(exact_point(points[v])))
+          throw Input_error(sentence("The point ", v, " of a surface has a coordinate that is not finite."));
+  };
+  check(triangles, "triangle");
+  check(features, "feature edge");
+}
+
+// Builds a tree for the simplices of each number.
+template <typename Tree, typename Simplex>
+std::vector<Any_surface_3> trees_of_groups(const std::vector<Simplex>& simplices, const std::vector<std::size_t>& numbers)
+{
+  std::vector<std::vector<Simplex> > groups;
+  for(std::size_t i = 0; i < simplices.size(); ++i)
+  {
+    groups.resize((std::max)(groups.size(), numbers[i] + 1));
+    groups[numbers[i]].push_back(simplices[i]);
+  }
+  std::vector<Any_surface_3> result;
+  for(const std::vector<Simplex>& group : groups)
+    result.emplace_back(Tree(group));
+  return result;
+}
+
+} // namespace internal
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<double, 3> >& points,
+                                               std::vector<std::array<std::size_t, 3> > triangles,
+                                               const std::vector<std::array<std::size_t, 2> >& features)
+  : m_conditions(points.size(), Vertex_condition_3::at_target())
+{
+  using namespace internal;
+  check_surface(points, triangles, features);
+  std::vector<AABB_trees_3::Kernel::Triangle_3> in_space;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t)
+  {
+    const AABB_trees_3::Kernel::Triangle_3 triangle(exact_point(points[t[0]]), exact_point(points[t[1]]), exact_point(points[t[2]]));
+    if(!triangle.is_degenerate())
+      in_space.push_back(triangle);
+    return triangle.is_degenerate();
+  }), triangles.end());
+  if(triangles.empty())
+    throw Input_error("No triangle of a surface has an area.");
+
+  const auto marked = sharp_edges_3(triangles, features, [&](const std::size_t v) { return Vector_3(to_vector(points[v])); });
+  std::vector<std::array<std::size_t, 2> > edges;
+  Disjoint_sets sets(triangles.size());
+  for_each_edge(triangles, [&](const auto begin, const auto end)
+  {
+    if(end - begin > 2 || std::binary_search(marked.begin(), marked.end(), begin->first))
+      edges.push_back(begin->first);
+    else
+      sets.unite(begin->second[0] / 3, (end - 1)->second[0] / 3);
+  });
+  const std::vector<std::size_t> patches = sets.numbers();
+  m_patches = trees_of_groups<Triangles_with_tree_3>(in_space, patches);
+  m_surface = m_patches.size() == 1 ? m_patches : std::vector{ Any_surface_3(Triangles_with_tree_3(in_space)) };
+
+  const Feature_curves_3 curves(std::move(edges), points);
+  std::vector<AABB_trees_3::Kernel::Segment_3> segments;
+  for(const auto& [v, w] : curves.edges())
+    segments.emplace_back(exact_point(points[v]), exact_point(points[w]));
+  m_curves = trees_of_groups<Segments_with_tree_3>(segments, curves.curves());
+
+  std::map<std::size_t, std::set<std::size_t> > patches_of_points;
+  for(std::size_t t = 0; t < triangles.size(); ++t)
+    for(const std::size_t v : triangles[t])
+      patches_of_points[v].insert(patches[t]);
+  for(const auto& [v, around] : patches_of_points)
+    if(around.size() == 1) // even at the end of a curve inside of it: that vertex is a corner below
+      m_conditions[v] = Vertex_condition_3::on_surface(m_patches[*around.begin()]);
+  for(const auto& [v, at] : curves.edges_of_vertices())
+    m_conditions[v] = curves.is_corner(v) ? Vertex_condition_3::at_target()
+                                          : Vertex_condition_3::on_curve(m_curves[curves.curves()[at.front()]]);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_TRIANGULATED_SURFACE_3_IMPL_H

@@ -1,0 +1,253 @@
+// Vertices that slide on surfaces: implicit ones, triangulated ones, and curves of both.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Implicit_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_intersection_3.h>
+#include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+
+#include <CGAL/property_map.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+namespace { namespace of_surfaces {
+
+using Condition = VMP::Vertex_condition_3;
+using Eigen::Vector3d;
+using Point = std::array<double, 3>;
+using Triangles = std::vector<std::array<std::size_t, 3> >;
+
+Vector3d vector(const Point& p) { return Vector3d(p[0], p[1], p[2]); }
+Point point(const Vector3d& p) { return { p[0], p[1], p[2] }; }
+
+struct Sphere
+{
+  double value(const Point& p) const { return vector(p).squaredNorm() - 1; }
+  Point gradient(const Point& p) const { return point(2 * vector(p)); }
+};
+
+struct Cylinder
+{
+  double value(const Point& p) const { return p[0] * p[0] + p[1] * p[1] - 1; }
+  Point gradient(const Point& p) const { return { 2 * p[0], 2 * p[1], 0 }; }
+};
+
+struct Torus // with the radii 1 and 1/4
+{
+  double value(const Point& p) const { return std::pow(std::hypot(p[0], p[1]) - 1, 2) + p[2] * p[2] - 0.0625; }
+  Point gradient(const Point& p) const
+  {
+    const double r = std::hypot(p[0], p[1]), factor = 2 * (r - 1) / r;
+    return { factor * p[0], factor * p[1], 2 * p[2] };
+  }
+};
+
+struct Horizontal_plane
+{
+  double z;
+  double value(const Point& p) const { return p[2] - z; }
+  Point gradient(const Point&) const { return { 0, 0, 1 }; }
+};
+
+Vector3d random_point(std::mt19937& engine)
+{
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  return { coordinate(engine), coordinate(engine), coordinate(engine) };
+}
+
+// The boundary of a body, with its points as they are.
+Triangles boundary_of(const VMP::Tetrahedron_soup_3& soup) { return VMP::internal::boundary_facets_3(soup.cells); }
+
+// The cube [-1, 1]^3 of 6 n^3 cells, with points moved by a function.
+template <typename Function>
+VMP::Tetrahedron_soup_3 body(const int n, const Function& f)
+{
+  VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(n));
+  for(Point& p : soup.points)
+    p = point(f(Vector3d(2. / n * vector(p) - Vector3d::Ones())));
+  return soup;
+}
+
+// The disc of which a square is the image: sides go to circles about the origin.
+Vector3d round(const Vector3d& p)
+{
+  const double x = p[0] * std::sqrt(1 - p[1] * p[1] / 2), y = p[1] * std::sqrt(1 - p[0] * p[0] / 2);
+  return Vector3d(x, y, p[2]);
+}
+
+// A mesh, with a condition and a target of each vertex.
+struct Problem
+{
+  VMP::Tetrahedron_soup_3 soup;
+  std::vector<Condition> conditions;
+  std::vector<Point> targets, images = {};
+
+  explicit Problem(VMP::Tetrahedron_soup_3 mesh) : soup(std::move(mesh)), conditions(soup.points.size()), targets(soup.points) {}
+
+  template <typename Tag = CGAL::Sequential_tag, typename NT = double>
+  VMP::Parameterization_result run(const double tolerance = 0)
+  {
+    std::vector<std::array<NT, 3> > mapped;
+    const VMP::Tetrahedron_soup_3& constant = soup;
+    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization<Tag>(
+      constant, targets, mapped, params::energy(VMP::Symmetric_Dirichlet_energy_3()).energy_tolerance(tolerance)
+        .vertex_condition_map(CGAL::make_property_map(conditions)));
+    images.clear();
+    for(const auto& p : mapped)
+      images.push_back({ double(p[0]), double(p[1]), double(p[2]) });
+    return result;
+  }
+};
+
+// A round tank with its wall on a cylinder, floor and top in planes, and the rims where these meet.
+Problem tank(const int n, const double height)
+{
+  Problem problem(body(n, round));
+  const VMP::Any_surface_3 wall = VMP::Implicit_surface_3(Cylinder());
+  for(std::size_t v = 0; v < problem.soup.points.size(); ++v)
+  {
+    const Point& p = problem.soup.points[v];
+    const bool is_on_wall = std::abs(std::hypot(p[0], p[1]) - 1) < 1e-9, is_at_end = std::abs(p[2]) == 1;
+    const double z = p[2] == 1 ? height : p[2];
+    if(is_on_wall)
+      problem.conditions[v] = is_at_end ? Condition::on_curve(VMP::Surface_intersection_3(
+                                            wall, VMP::Implicit_surface_3(Horizontal_plane{ z })))
+                                        : Condition::on_surface(wall);
+    else if(is_at_end)
+      problem.conditions[v] = Condition::in_plane(0, 0, 1);
+    problem.targets[v][2] = z;
+  }
+  return problem;
+}
+
+TEST_CASE("Points are put back on implicit surfaces to the last bits")
+{
+  std::mt19937 engine;
+  for(int i = 0; i < 1000; ++i)
+  {
+    const Vector3d d = random_point(engine);
+    const double angle = std::atan2(d[1], d[0]);
+    const Vector3d on_circle(std::cos(angle), std::sin(angle), 0);
+    const Vector3d on_sphere = vector(VMP::Implicit_surface_3(Sphere()).nearest_point(point(1.3 * d.normalized())).point);
+    CHECK((on_sphere - d.normalized()).norm() < 1e-15);
+    const Vector3d on_cylinder = vector(VMP::Implicit_surface_3(Cylinder()).nearest_point(point(0.7 * on_circle + 5 * d)).point);
+    CHECK(std::abs(on_cylinder.head<2>().norm() - 1) < 1e-15);
+    const Vector3d near_circle = on_circle + 0.3 * d.normalized();
+    const Vector3d on_torus = vector(VMP::Implicit_surface_3(Torus()).nearest_point(point(near_circle)).point);
+    CHECK(std::abs((on_torus - on_torus.cwiseProduct(Vector3d(1, 1, 0)).normalized()).norm() - 0.25) < 1e-15);
+  }
+}
+
+TEST_CASE("Points are put back to the nearest point of a triangulated surface")
+{
+  const VMP::Tetrahedron_soup_3 soup = body(4, round);
+  const Triangles triangles = boundary_of(soup);
+  const VMP::Triangulated_surface_3 surface(soup.points, triangles);
+  CHECK(surface.number_of_patches() == 3);
+  CHECK(surface.number_of_curves() == 2);
+  std::mt19937 engine;
+  for(int i = 0; i < 300; ++i)
+  {
+    const Vector3d p = 1.5 * random_point(engine), q = vector(surface.nearest_point(point(p)).point);
+    double distance = std::numeric_limits<double>::infinity(); // to samples, which are no nearer, and a few are hardly farther
+    for(const auto& [a, b, c] : triangles)
+      for(int k = 0; k <= 20; ++k)
+        for(int l = 0; k + l <= 20; ++l)
+          distance = (std::min)(distance, (p - (k * vector(soup.points[a]) + l * vector(soup.points[b])
+                                                + (20 - k - l) * vector(soup.points[c])) / 20).norm());
+    CHECK((q - p).norm() <= distance + 1e-15);
+    CHECK((q - p).norm() >= distance - 0.05);
+    if(std::abs(q[2]) > 1 - 1e-9 && q.head<2>().norm() < 0.9) // the coordinate of floor and top is exact
+      CHECK(std::abs(q[2]) == 1);
+  }
+  CHECK_THROWS_AS(VMP::Triangulated_surface_3(soup.points, { { 0, 1, soup.points.size() } }), VMP::Input_error);
+  CHECK_THROWS_AS(VMP::Triangulated_surface_3(soup.points, { { 0, 1, 1 } }), VMP::Input_error);
+}
+
+TEST_CASE("A tank whose boundary was stirred slides back on its wall, which is exact")
+{
+  Problem problem = tank(4, 1);
+  for(Point& p : problem.targets)
+  {
+    const double angle = 0.2 * p[2] * p[0]; // turns parts of the wall by different angles
+    p = { std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1], p[2] };
+  }
+  const VMP::Parameterization_result result = problem.run();
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.number_of_inverted_cells == 0);
+  CHECK(result.energy == Approx(6)); // of the identity
+  for(std::size_t v = 0; v < problem.images.size(); ++v)
+  {
+    const Vector3d p = vector(problem.images[v]), source = vector(problem.soup.points[v]);
+    if(std::abs(source.head<2>().norm() - 1) < 1e-9)
+      CHECK(std::abs(p.head<2>().norm() - 1) < 1e-15);
+    if(std::abs(source[2]) == 1)
+      CHECK(p[2] == source[2]);
+  }
+}
+
+// The energy of a ball whose boundary stays at the targets.
+VMP::Parameterization_result with_fixed_boundary(Problem problem)
+{
+  for(Condition& condition : problem.conditions)
+    if(condition.is_sliding())
+      condition = Condition::at_target();
+  return problem.run();
+}
+
+Problem cube_to_ball(const int n, const VMP::Any_surface_3& surface)
+{
+  Problem problem(body(n, [](const Vector3d& p) { return p; }));
+  for(std::size_t v = 0; v < problem.soup.points.size(); ++v)
+    if(const Vector3d p = vector(problem.soup.points[v]); p.cwiseAbs().maxCoeff() == 1)
+    {
+      problem.conditions[v] = Condition::on_surface(surface);
+      problem.targets[v] = surface.nearest_point(point(p.normalized())).point;
+    }
+  return problem;
+}
+
+TEST_CASE("A cube mapped to a ball slides on the sphere, and its energy falls")
+{
+  Problem problem = cube_to_ball(6, VMP::Implicit_surface_3(Sphere()));
+  const VMP::Parameterization_result fixed = with_fixed_boundary(problem), result = problem.run();
+  REQUIRE(fixed.status == VMP::OK);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.energy < 0.99 * fixed.energy);
+  CHECK(result.number_of_sliding_vertices == 218);
+  for(std::size_t v = 0; v < problem.images.size(); ++v)
+    if(problem.conditions[v].is_sliding())
+      CHECK(std::abs(vector(problem.images[v]).norm() - 1) < 1e-15);
+}
+
+TEST_CASE("A cube mapped to a triangulated ball slides on its triangles")
+{
+  const VMP::Tetrahedron_soup_3 ball = body(10, [](const Vector3d& p) -> Vector3d
+  { return p.isZero() ? p : Vector3d(p * (p.cwiseAbs().maxCoeff() / p.norm())); });
+  const VMP::Triangulated_surface_3 surface(ball.points, boundary_of(ball));
+  REQUIRE(surface.number_of_patches() == 1);
+  Problem problem = cube_to_ball(6, surface);
+  const VMP::Parameterization_result fixed = with_fixed_boundary(problem), result = problem.run();
+  REQUIRE(fixed.status == VMP::OK);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.energy < fixed.energy);
+  for(std::size_t v = 0; v < problem.images.size(); ++v)
+    if(problem.conditions[v].is_sliding())
+      CHECK((vector(surface.nearest_point(problem.images[v]).point) - vector(problem.images[v])).norm() < 1e-15);
+}
+
+} } // namespace of_surfaces
