@@ -9,10 +9,13 @@
 #include <CGAL/Volume_mesh_parameterization/ARAP_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Any_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Implicit_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 
 #include <CGAL/Exact_rational.h>
@@ -65,20 +68,39 @@ template <typename Point>
 bool has_same_bits(const std::vector<Point>& a, const std::vector<Point>& b)
 { return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Point)) == 0); }
 
-std::set<std::size_t> boundary_of(const VMP::Tetrahedron_soup_3& soup)
+using Facets = std::vector<std::array<std::size_t, 3> >;
+
+std::set<std::size_t> vertices_of(const Facets& facets)
 {
-  std::map<std::array<std::size_t, 3>, int> number_of_cells;
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
-    for(int i = 0; i < 4; ++i)
-    {
-      std::array<std::size_t, 3> facet = { cell[(i + 1) % 4], cell[(i + 2) % 4], cell[(i + 3) % 4] };
-      std::sort(facet.begin(), facet.end());
-      ++number_of_cells[facet];
-    }
   std::set<std::size_t> result;
-  for(const auto& [facet, n] : number_of_cells)
-    if(n == 1)
-      result.insert(facet.begin(), facet.end());
+  for(const std::array<std::size_t, 3>& facet : facets)
+    result.insert(facet.begin(), facet.end());
+  return result;
+}
+
+// An ellipsoid or a cylinder, or what scales in between give.
+struct Quadric
+{
+  Vector3d center, factors; // of the squared coordinates from the center
+
+  double value(const std::array<double, 3>& p) const { return factors.dot((vector(p) - center).cwiseAbs2()) - 1; }
+  std::array<double, 3> gradient(const std::array<double, 3>& p) const
+  {
+    const Vector3d g = 2 * factors.cwiseProduct(vector(p) - center);
+    return { g[0], g[1], g[2] };
+  }
+};
+
+// Returns the distance to a triangle, by projections on it and its sides.
+double distance(const Vector3d& p, const Vector3d& a, const Vector3d& b, const Vector3d& c)
+{
+  Eigen::Matrix<double, 3, 2> edges;
+  edges << b - a, c - a;
+  const Eigen::Vector2d t = edges.colPivHouseholderQr().solve(p - a);
+  double result = t.minCoeff() >= 0 && t.sum() <= 1 ? (a + edges * t - p).norm() : (a - p).norm();
+  for(const auto& [q, r] : { std::pair(a, b), std::pair(a, c), std::pair(b, c) })
+    if(const Vector3d d = r - q; d.squaredNorm() > 0)
+      result = (std::min)(result, (q + std::clamp(d.dot(p - q) / d.squaredNorm(), 0., 1.) * d - p).norm());
   return result;
 }
 
@@ -213,8 +235,9 @@ private:
   {
     const Eigen::Matrix3d motion = random_motion(random);
     const Vector3d shift = random.one_in(8) ? random.vector(size() * random.pick({0.1, 1., 1e3})) : Vector3d(Vector3d::Zero());
-    const std::set<std::size_t> boundary = boundary_of(m_soup);
-    const std::size_t kind = random.below(8), number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
+    const Facets facets = VMP::internal::boundary_facets_3(m_soup.cells);
+    const std::set<std::size_t> boundary = vertices_of(facets);
+    const std::size_t kind = random.below(10), number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
     const int axis = static_cast<int>(random.below(3));
     const Vector3d direction = random_direction(random);
     for(std::size_t handles = kind < 3 ? kind : 0; handles > 0; --handles)
@@ -232,6 +255,43 @@ private:
         set(v, plane_or_line(random.one_in(2), direction), motion, shift);
       else if(kind == 7)
         set(v, condition_of_symmetry(p, number_of_planes), motion, shift);
+      else if(kind > 7 && is_on_boundary)
+        set(v, Condition::at_target(), motion, shift);
+    }
+    if(kind == 8)
+      slide_on_quadric(random, boundary);
+    if(kind == 9)
+      slide_on_boundary(random, facets);
+  }
+
+  void slide_on_quadric(Random& random, const std::set<std::size_t>& boundary)
+  {
+    const double radius = size() * random.pick({0.3, 0.9, 3.}), z = random.pick({0., 0.2, 1.});
+    m_quadric = { (m_low + m_high) / 2, Vector3d(1, random.pick({0.5, 1.}), z) / (radius * radius) };
+    const VMP::Any_surface_3 surface = VMP::Implicit_surface_3(m_quadric);
+    for(const std::size_t v : boundary)
+      if(!random.one_in(5))
+        m_conditions[v] = random.one_in(10) ? random_condition(random) : Condition::on_surface(surface);
+  }
+
+  // Slides on the image of the boundary, or on one part of it, or from other places to it.
+  void slide_on_boundary(Random& random, Facets facets)
+  {
+    const bool is_on_part = random.one_in(4), is_moved = random.one_in(3);
+    if(is_on_part)
+      facets.resize(1 + facets.size() / 2);
+    m_triangles = facets;
+    m_points = m_targets;
+    for(std::size_t v = 0; v < m_points.size(); ++v)
+      if(!vector(m_points[v]).allFinite())
+        m_points[v] = m_soup.points[v];
+    const VMP::Triangulated_surface_3 surface(m_points, facets);
+    for(const std::size_t v : vertices_of(facets))
+    {
+      m_conditions[v] = surface.condition(v);
+      if(is_moved)
+        for(double& x : m_targets[v])
+          x += random.real(0.1 * size());
     }
   }
 
@@ -292,6 +352,9 @@ private:
     const std::string vertex = "vertex " + std::to_string(v);
     if(condition.kind() == Condition::AT_TARGET)
       expect(image == target, vertex + " is at its target");
+    if(condition.is_sliding())
+      expect(distance_to_surface(image) <= (1e-12 + std::numeric_limits<NT>::epsilon()) * (size() + image.norm()),
+             vertex + " is on its surface");
     if(condition.kind() != Condition::IN_PLANE && condition.kind() != Condition::ON_LINE)
       return;
     const bool is_plane = condition.kind() == Condition::IN_PLANE;
@@ -306,12 +369,26 @@ private:
     expect((is_plane ? along : Vector3d(off - along)).norm() <= 64 * unit_of_rounding, vertex + " is in its plane or on its line");
   }
 
+  double distance_to_surface(const Vector3d& p) const
+  {
+    const std::array<double, 3> q = { p[0], p[1], p[2] };
+    if(m_triangles.empty())
+      return std::abs(m_quadric.value(q)) / vector(m_quadric.gradient(q)).norm();
+    double result = std::numeric_limits<double>::infinity();
+    for(const auto& [a, b, c] : m_triangles)
+      result = (std::min)(result, distance(p, vector(m_points[a]), vector(m_points[b]), vector(m_points[c])));
+    return result;
+  }
+
   double size() const { return (m_high - m_low).maxCoeff(); }
 
   VMP::Tetrahedron_soup_3 m_soup;
   VMP::Any_energy_3 m_energy;
   std::vector<Condition> m_conditions;
   std::vector<std::array<double, 3> > m_targets;
+  Quadric m_quadric; // on which vertices slide, or triangles if there are any
+  Facets m_triangles;
+  std::vector<std::array<double, 3> > m_points; // of the triangles
   Vector3d m_low = Vector3d::Constant(std::numeric_limits<double>::infinity()), m_high = -m_low;
   VMP::Boundary_mode m_mode = VMP::Boundary_mode::AUTO;
   VMP::Refinement_mode m_refinement = VMP::Refinement_mode::HELPFUL;

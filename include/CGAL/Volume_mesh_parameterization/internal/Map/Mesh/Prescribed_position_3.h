@@ -27,8 +27,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The planes, surfaces and curves that are prescribed to a vertex, each by a source: a line of a file, or a patch. The order of planes
-// does not matter.
+// The planes, surfaces and curves that are prescribed to a vertex, each by a source: a line of a file, or a patch. The order of
+// planes does not matter.
 class Prescribed_position_3
 {
 public:
@@ -122,8 +122,8 @@ private:
     Vector_3 diagonal() const { return { projector(0, 0), projector(1, 1), projector(2, 2) }; }
   };
 
-  // Goes on from the solution of the planes. One surface and a plane, or two surfaces, intersect in a curve. More of them meet in a
-  // point, to which projections on one after the other converge.
+  // Goes on from the solution of the planes. One surface and a plane, or two surfaces, intersect in a curve. More of them meet in
+  // a point, to which projections on one after the other converge.
   Solution solution_on_surfaces(Solution solution) const
   {
     constexpr double rounding = 1e-12; // relative to the size

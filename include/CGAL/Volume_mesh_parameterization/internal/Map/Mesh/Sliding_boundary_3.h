@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
@@ -142,6 +143,7 @@ public:
     for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
       m_projectors.push_back(is_constrained(v) ? Matrix_3::Zero() : projector(regions[v]));
     hold_lines();
+    slide_on_curved_patches(is_constrained);
   }
 
   std::size_t number_of_sliding_vertices() const
@@ -156,12 +158,12 @@ public:
   // Returns the conditions of prescribed vertices on surfaces, free for others, or none.
   const std::vector<Vertex_condition_3>& surfaces() const { return m_surfaces; }
 
-  // Is each facet of a planar region oriented as in the target? Decided by exact predicates on the
-  // coordinates, without the one in which the normal is the longest.
+  // Is each facet of a planar region, if no vertex of it is on a surface, oriented as in the target? Decided by exact predicates on
+  // the coordinates, without the one in which the normal is the longest.
   bool has_same_orientations(const Matrix3Xd& positions) const
   {
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-      if(m_regions.is_planar(m_regions.region(f))
+      if(m_regions.is_planar(m_regions.region(f)) && !has_vertex_on_surface(f)
          && orientation(positions, f) != orientation(m_mesh.target, f))
         return false;
     return true;
@@ -209,6 +211,52 @@ private:
           if(Matrix_3& projector = m_projectors[u - m_mesh.number_of_free_vertices]; projector != along)
             projector = projector.trace() > 1.5 ? along : Matrix_3::Zero();
     });
+  }
+
+  // Lets vertices that would stay, but are inside of curved patches of the target or on curves between patches, slide on these. A
+  // patch is curved at a vertex if a facet there has no coplanar neighbour.
+  template <typename Predicate>
+  void slide_on_curved_patches(const Predicate& is_constrained)
+  {
+    std::vector<int> sizes(m_facets.size(), 0); // of the regions
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      ++sizes[m_regions.region(f)];
+    std::vector<bool> is_curved(m_mesh.number_of_vertices(), false);
+    std::vector<std::array<std::size_t, 3> > triangles;
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+    {
+      const auto& [u, v, w] = m_facets[f];
+      triangles.push_back({ std::size_t(u), std::size_t(v), std::size_t(w) });
+      if(sizes[m_regions.region(f)] == 1)
+        is_curved[u] = is_curved[v] = is_curved[w] = true;
+    }
+    const auto slides = [&](const int v)
+    { return is_curved[v] && !m_mesh.is_free(v) && m_projectors[v - m_mesh.number_of_free_vertices].is_zero() && !is_constrained(v); };
+    bool is_any_sliding = false;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      is_any_sliding = is_any_sliding || slides(v);
+    if(!is_any_sliding)
+      return;
+    std::vector<std::array<double, 3> > points;
+    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
+      points.push_back(coordinates(m_mesh.target.col(v)));
+    std::vector<std::array<std::size_t, 2> > features;
+    for(const auto& [v, w] : m_mesh.marked_edges)
+      features.push_back({ std::size_t(v), std::size_t(w) });
+    const Triangulated_surface_3 surface(points, triangles, features);
+    m_surfaces.resize(m_projectors.size());
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      if(const Vertex_condition_3& condition = surface.condition(v); slides(v) && condition.is_sliding())
+      {
+        m_surfaces[v - m_mesh.number_of_free_vertices] = condition;
+        m_projectors[v - m_mesh.number_of_free_vertices] = put_on_surface_3(condition, m_mesh.target.col(v)).second;
+      }
+  }
+
+  bool has_vertex_on_surface(const std::size_t facet) const
+  {
+    return !m_surfaces.empty() && std::any_of(m_facets[facet].begin(), m_facets[facet].end(), [&](const int v)
+    { return !m_mesh.is_free(v) && m_surfaces[v - m_mesh.number_of_free_vertices].is_sliding(); });
   }
 
   CGAL::Orientation orientation(const Matrix3Xd& positions, const std::size_t facet) const

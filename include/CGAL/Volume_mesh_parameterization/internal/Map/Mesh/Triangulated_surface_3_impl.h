@@ -175,7 +175,8 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
   std::vector<AABB_trees_3::Kernel::Triangle_3> in_space;
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t)
   {
-    const AABB_trees_3::Kernel::Triangle_3 triangle(exact_point(points[t[0]]), exact_point(points[t[1]]), exact_point(points[t[2]]));
+    const auto p = [&](const int i) { return exact_point(points[t[i]]); };
+    const AABB_trees_3::Kernel::Triangle_3 triangle(p(0), p(1), p(2));
     if(!triangle.is_degenerate())
       in_space.push_back(triangle);
     return triangle.is_degenerate();

@@ -75,6 +75,17 @@ public:
 private:
   bool move(const double negative_curvature, const Budget& budget)
   {
+    constexpr double short_step = 1. / 16; // a guess; where vertices that a fold of their surface holds shorten steps
+    if(try_to_move(negative_curvature, budget) && m_iterate.step_length >= short_step)
+      return true;
+    const bool has_moved = m_iterate.step_length > 0;
+    const bool holds_some = m_iterate.direction.is_usable()
+                            && m_system.hold_stuck_vertices(m_energy, m_iterate.u, short_step, m_iterate.direction.vectors);
+    return has_moved || (holds_some && try_to_move(negative_curvature, budget));
+  }
+
+  bool try_to_move(const double negative_curvature, const Budget& budget)
+  {
     const bool has_moved
       = m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
                        [this] { return far_line_search_3(m_system, m_energy, m_iterate); });

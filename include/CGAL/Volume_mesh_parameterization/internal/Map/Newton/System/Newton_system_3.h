@@ -77,6 +77,18 @@ public:
   // Lets vertices on surfaces move in the tangent planes at positions from now on.
   void renew_projectors(const Positions& u) { m_unknowns.renew_projectors(u, m_scale, m_mesh.is_parallel); }
 
+  // Holds vertices, until projectors are renewed, that a step would lead uphill after they are put back on their surfaces, as a
+  // fold does. Returns whether there are any.
+  bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
+  {
+    if(!m_unknowns.are_some_on_surfaces())
+      return false;
+    Positions gradient = Positions::Zero(3, m_unknowns.size());
+    add_energy_gradient(m_packs, energy, u, gradient);
+    const Positions step = moved(u, length, d) - u;
+    return m_unknowns.hold_if([&](const int row) { return gradient.col(row).dot(step.col(m_unknowns.vertex(row))) > 0; });
+  }
+
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
   {
     const Energy_evaluation part = evaluate_energy(m_packs, energy, u);

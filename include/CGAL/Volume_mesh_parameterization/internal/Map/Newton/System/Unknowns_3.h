@@ -103,6 +103,23 @@ public:
     { m_projectors[row] = put_on_surface_3(m_surfaces[row], positions.col(vertex(row)) / scale).second; });
   }
 
+  bool are_some_on_surfaces() const { return !m_surfaces.empty(); }
+
+  // Holds vertices on surfaces, until projectors are renewed. Returns whether there are any to be held.
+  template <typename Predicate>
+  bool hold_if(const Predicate& is_stuck)
+  {
+    bool result = false;
+    for_each_on_surface(false, [&](const int row)
+    {
+      if(!is_stuck(row))
+        return;
+      m_projectors[row] = Matrix_3::Zero();
+      result = true;
+    });
+    return result;
+  }
+
   // Let P be the projector of all unknowns onto the directions in which they may move. The solution d of P H P d = -P g is in
   // these directions, for the Hessian H and the gradient g.
   void project(Matrix3Xd& columns) const
