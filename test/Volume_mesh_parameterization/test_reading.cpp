@@ -131,6 +131,35 @@ TEST_CASE("Conditions of vertices are read from lines, and a vertex of several l
   CHECK(message_of("vertex 1 fixed\nfloor free\n", read).find(": line 2: no triangle") != std::string::npos);
 }
 
+TEST_CASE("Vertices of a line slide on their triangles, or on the surface of a file")
+{
+  Soup soup = cube_soup(1);
+  soup.facets = { { 0, 1, 2 }, { 1, 3, 2 } };
+  soup.facet_references = { 5, 5 };
+  std::ofstream("surface.off") << "OFF 4 2 0\n9 -9 -9\n9 9 -9\n9 9 9\n9 -9 9\n3 0 1 2\n3 0 2 3\n";
+  std::vector<VMP::Vertex_condition_3> conditions;
+  Points targets(8, { nan, nan, nan });
+  const auto read = [&](const std::string& name) { VMP::IO::read_vertex_conditions(name, soup, conditions, targets); };
+  CHECK(message_of("5 surface\nvertex 7 surface surface.off # of a plane\nvertex 6 surface 'surface.off'\nvertex 6 z=0.25\n", read)
+        == "");
+  REQUIRE(conditions.size() == 8);
+  for(std::size_t v = 0; v < 4; ++v)
+  {
+    CHECK(conditions[v].kind() == VMP::Vertex_condition_3::ON_SURFACE);
+    CHECK(targets[v] == soup.points[v]);
+  }
+  CHECK(conditions[7].kind() == VMP::Vertex_condition_3::ON_SURFACE);
+  CHECK(targets[7][0] == 9);
+  CHECK(std::hypot(targets[7][1] - soup.points[7][1], targets[7][2] - soup.points[7][2]) < 1e-12);
+  CHECK(conditions[6].kind() == VMP::Vertex_condition_3::ON_CURVE);
+  CHECK((std::abs(targets[6][0] - 9) < 1e-12 && targets[6][2] == 0.25));
+
+  CHECK(message_of("vertex 1 surface\n", read).find("a vertex has no surface of its own") != std::string::npos);
+  CHECK(message_of("5 surface none.off\n", read).find("none.off: the surface cannot be read") != std::string::npos);
+  CHECK(message_of("5 surface surface.off x\n", read).find("'x' follows the condition") != std::string::npos);
+  CHECK(message_of("5 surface surface.off\nvertex 0 x=1\n5 x=8\n", read).find("contradict each other") != std::string::npos);
+}
+
 TEST_CASE("Names of groups may be those of several, look like numbers, and have blanks in quotes")
 {
   Soup soup = cube_soup(1);

@@ -7,7 +7,9 @@
 #include <CGAL/Volume_mesh_parameterization/Surface_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Sliding_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 
 #include <CGAL/property_map.h>
 
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -248,6 +251,92 @@ TEST_CASE("A cube mapped to a triangulated ball slides on its triangles")
   for(std::size_t v = 0; v < problem.images.size(); ++v)
     if(problem.conditions[v].is_sliding())
       CHECK((vector(surface.nearest_point(problem.images[v]).point) - vector(problem.images[v])).norm() < 1e-15);
+}
+
+// Marks the boundary of a tank: 1 its wall, 2 its floor, 3 its top.
+void mark_boundary(VMP::Tetrahedron_soup_3& soup)
+{
+  soup.facets = boundary_of(soup);
+  for(const auto& [a, b, c] : soup.facets)
+  {
+    const double lowest = (std::min)({ soup.points[a][2], soup.points[b][2], soup.points[c][2] });
+    const double highest = (std::max)({ soup.points[a][2], soup.points[b][2], soup.points[c][2] });
+    soup.facet_references.push_back(highest == -1 ? 2 : lowest == 1 ? 3 : 1);
+  }
+}
+
+TEST_CASE("Conditions of patches let a tank slide on its wall, and on curves to floor and top")
+{
+  VMP::Tetrahedron_soup_3 soup = body(4, round);
+  mark_boundary(soup);
+  using Patch = VMP::Patch_condition_3;
+  for(const bool is_own : { true, false })
+  {
+    const auto [conditions, targets] = VMP::conditions_of_patches(soup, std::map<int, Patch>{
+      { 1, is_own ? Patch::on_own_surface() : Patch::on_surface(VMP::Implicit_surface_3(Cylinder())) },
+      { 2, Patch::coordinate(2, -1) }, { 3, Patch::coordinate(2, 0.75) } });
+    std::array<int, 6> numbers = {};
+    for(const Condition& condition : conditions)
+      ++numbers[condition.kind()];
+    CHECK(numbers == std::array<int, 6>{ 27, 18, 0, 0, 48, 32 });
+    for(std::size_t v = 0; v < soup.points.size(); ++v)
+      if(conditions[v].kind() == Condition::ON_CURVE)
+        CHECK(targets[v][2] == (soup.points[v][2] == 1 ? 0.75 : -1));
+    Problem problem(soup);
+    problem.conditions = conditions;
+    problem.targets = targets;
+    const VMP::Parameterization_result result = problem.run();
+    CHECK(result.status == VMP::OK);
+    CHECK(result.number_of_inverted_cells == 0);
+    const VMP::Triangulated_surface_3 own(soup.points, soup.facets);
+    for(std::size_t v = 0; v < soup.points.size(); ++v)
+      if(conditions[v].is_sliding())
+      {
+        const Vector3d p = vector(problem.images[v]);
+        CHECK((is_own ? (vector(own.nearest_point(point(p)).point) - p).norm() : std::abs(p.head<2>().norm() - 1)) < 1e-15);
+        if(conditions[v].kind() == Condition::ON_CURVE)
+          CHECK(p[2] == targets[v][2]);
+      }
+  }
+  // between two of its own patches, a vertex slides on the curve of edges
+  const auto own = VMP::conditions_of_patches(soup, std::map<int, Patch>{ { 1, Patch::on_own_surface() },
+                                                                         { 2, Patch::on_own_surface() } });
+  CHECK(std::count_if(own.conditions.begin(), own.conditions.end(), [](const Condition& condition)
+                      { return condition.kind() == Condition::ON_CURVE; }) == 16);
+  CHECK_THROWS_AS(VMP::conditions_of_patches(soup, std::map<int, Patch>{
+    { 1, Patch::on_surface(VMP::Implicit_surface_3(Sphere())) }, { 3, Patch::coordinate(2, 2) } }), VMP::Input_error);
+}
+
+TEST_CASE("The gradient is that of the energy after vertices are put back on their surface")
+{
+  VMP::internal::Numbered_mesh_3 mesh = cube_mesh(3, 0.1);
+  for(Eigen::Index v = 0; v < mesh.source.cols(); ++v)
+    if(const Vector3d p = mesh.source.col(v) * (2. / 3) - Vector3d::Ones(); !p.isZero(1e-9))
+      mesh.target.col(v) = p * (p.cwiseAbs().maxCoeff() / p.norm());
+  mesh.surfaces.assign(mesh.number_of_prescribed_vertices(), Condition::on_surface(VMP::Implicit_surface_3(Sphere())));
+  const VMP::internal::Sliding_boundary_3 sliding(mesh);
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> traits;
+  VMP::internal::Linear_solver_of solver(traits);
+  VMP::internal::Newton_system_3 system(
+    mesh, VMP::internal::free_vertices(mesh, sliding.projectors(), sliding.surfaces()), solver);
+  const VMP::Symmetric_Dirichlet_energy_3 energy;
+  const VMP::internal::Cell_energy_of<VMP::Symmetric_Dirichlet_energy_3> cell_energy(energy);
+  const auto u = VMP::internal::Matrix3Xd(system.scale() * mesh.target);
+  REQUIRE(system.evaluate(cell_energy, u).is_flip_free());
+  system.renew_projectors(u);
+  std::mt19937 engine;
+  for(int i = 0; i < 20; ++i)
+  {
+    VMP::internal::Matrix3Xd d(3, system.unknowns().size());
+    for(Eigen::Index row = 0; row < d.cols(); ++row)
+      d.col(row) = random_point(engine);
+    system.unknowns().project(d);
+    const auto step = system.unknowns().to_vertices(d);
+    const double h = 1e-5, slope = system.gradient(cell_energy, u).cwiseProduct(d).sum();
+    const double difference = (system.evaluate(cell_energy, system.moved(u, h, step)).energy
+                               - system.evaluate(cell_energy, system.moved(u, -h, step)).energy) / (2 * h);
+    CHECK(slope == Approx(difference).epsilon(1e-6));
+  }
 }
 
 } } // namespace of_surfaces
