@@ -1,5 +1,5 @@
-// Moves the mesh of a round tank with its liquid in 20 steps: the wall slides on its cylinder, the floor in its plane, and the top on
-// a wave.
+// Moves the mesh of the liquid in a round tank in 20 steps: the wall slides on its cylinder, the floor in its plane, and the top
+// on a wave.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>

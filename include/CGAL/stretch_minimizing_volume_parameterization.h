@@ -79,7 +79,7 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamDefault{`Boundary_mode::AUTO`: fixed, and soft if no valid map with fixed boundary is found}
   \cgalParamNEnd
   \cgalParamNBegin{do_slide_boundary}
-    \cgalParamDescription{whether vertices slide in planar patches of the target and along the edges between them
+    \cgalParamDescription{whether vertices slide in patches of the target and along the edges between them
                           (\ref VMPBoundarySlide)}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}

@@ -171,14 +171,14 @@ inline Command_line command_line(Options& options)
     ("displacements", po::bool_switch(&options.are_displacements), "TARGET contains displacements, not positions")
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
      "the treatment of boundary vertices without a target. missing: there is no map. stay: they keep their positions. slide: "
-     "they move in the planes and along the straight edges of the boundary; vertices with a target do not slide. free: they "
-     "move to where the energy is lowest")
+     "they move in the planes, along the edges and on curved patches of the boundary; vertices with a target do not slide. free: "
+     "they move to where the energy is lowest")
     ("conditions", po::value(&options.conditions)->value_name("FILE"),
      "lines for vertices that are not free. A line begins with the reference or the name of triangles, or with 'vertex' and an "
-     "index. A name with blanks needs quotes. It ends with fixed, free, plane and a normal, a coordinate such as z=1, surface, or "
-     "surface and a file. A fixed vertex is at its target in TARGET, or keeps its position. A plane with a normal goes through the "
-     "same point. surface lets vertices slide on their triangles, or on the surface of the file (*.off, *.stl, *.ply, *.obj, "
-     "*.vtp). --others is about boundary vertices without a target and a line, here with the default free")
+     "index. A name with blanks needs quotes. It ends with fixed, free, plane and a normal, a coordinate such as z=1, or "
+     "surface. A fixed vertex is at its target in TARGET, or keeps its position. A plane with a normal goes through the same "
+     "point. surface lets vertices slide on their triangles; with a file (*.off, *.stl, *.ply, *.obj, *.vtp), on the surface "
+     "there. --others is about boundary vertices without a target and a line, here with the default free")
     ("inside", po::value(&options.inside)->value_name("WAY")->default_value("auto"),
      "the treatment of interior vertices with a target. met: they meet the target. free: they ignore it. auto: they meet it if "
      "some vertices have no target. A copy of SOURCE.mesh has one for all. Vertices between cells of different references then "
@@ -193,7 +193,7 @@ inline Command_line command_line(Options& options)
      "between boundary vertices if these edges make the map slow or distorted. boundary, and --refine without a value: also on "
      "edges of the boundary if a polycube needs this. all: first in all interior edges between boundary vertices")
     ("slide", po::bool_switch(&options.do_slide),
-     "let vertices move in the planes and along the straight edges of the target, for a lower distortion");
+     "let vertices move in the planes, along the edges and on curved patches of the target, for a lower distortion");
 
   po::options_description distortion = options_of_both_programs::distortion(
     options, "stretch; mips with --improve; symmetric_dirichlet if boundary vertices are free");

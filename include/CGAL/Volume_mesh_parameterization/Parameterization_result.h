@@ -207,7 +207,8 @@ struct Parameterization_result
   std::size_t number_of_boundary_vertices = 0; ///< vertices of facets between the complex and the outside
   std::size_t number_of_added_vertices = 0;    ///< vertices that refinement has added
   std::size_t number_of_added_boundary_vertices = 0; ///< those of them at edges of the boundary (see `Refinement_mode::BOUNDARY`)
-  /// vertices that slide on the boundary with `do_slide_boundary(true)`, or stay in planes or on lines by their conditions
+  /// vertices that slide on the boundary with `do_slide_boundary(true)`, or by their conditions stay in planes, on lines or on
+  /// surfaces
   std::size_t number_of_sliding_vertices = 0;
 
   /// whether a boundary that is partly free intersects itself. Such a map is valid, but only locally one to one. If the time

@@ -20,8 +20,8 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationSurfaces
 
-The curve in which two surfaces intersect, such as the rim of a tank. A point is put back by Newton's method with the tangent planes
-of both until rounding ends it. It has no image if the surfaces are tangent to each other.
+The curve in which two surfaces intersect, such as the rim of a tank. A point is put back by Newton's method with the tangent
+planes of both until rounding ends it. Coordinates are not numbers if the surfaces are tangent to each other.
 
 \cgalModels{SlidingSurface_3}
 */
@@ -31,8 +31,7 @@ public:
   /// stores two surfaces.
   Surface_intersection_3(const Any_surface_3& first, const Any_surface_3& second) : m_first(first), m_second(second) {}
 
-  /// returns the point to which Newton's method leads from `p`, with the tangent of the curve there. Coordinates are not numbers if
-  /// there is none.
+  /// returns the point to which Newton's method leads from `p`, with the tangent of the curve there.
   Surface_point_3 nearest_point(const std::array<double, 3>& p) const
   {
     constexpr int maximum_number_of_steps = 50; // a guess

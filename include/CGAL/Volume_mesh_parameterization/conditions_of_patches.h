@@ -70,8 +70,8 @@ public:
     return result;
   }
 
-  /// returns the condition of vertices that slide on the patch as it is. Between two such patches, and along edges with more than 60
-  /// degrees between normals, they slide on curves.
+  /// returns the condition of vertices that slide on the patch as it is. Between two such patches, and along edges with more than
+  /// 60 degrees between normals, they slide on curves.
   static Patch_condition_3 on_own_surface() { return Patch_condition_3(ON_OWN_SURFACE); }
 
 #ifndef DOXYGEN_RUNNING

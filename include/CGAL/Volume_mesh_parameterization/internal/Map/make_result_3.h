@@ -103,7 +103,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
        !crossing.empty())
       result.message += crossing + ". Few such boundaries have a map without inverted cells, and no such map is one to one.";
-  if(found.map.is_valid() && mesh.alignment)
+  if(found.map.is_valid() && (mesh.alignment || !mesh.surfaces.empty()))
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())
     {
@@ -111,7 +111,8 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
       result.message += crossing + ". Therefore, the map is not one to one.";
     }
   result.has_valid_map = found.map.is_valid();
-  if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole())
+  if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole()
+     && mesh.surfaces.empty()) // vertices on these have left their targets
     result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
     + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.is_zero(); });

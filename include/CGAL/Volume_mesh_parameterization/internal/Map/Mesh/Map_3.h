@@ -58,7 +58,7 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 // The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in directions along the axes
 // there is none.
 inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors,
-                                  const std::vector<Vertex_condition_3>& surfaces)
+                                  const std::vector<Vertex_condition_3>& surfaces = {})
 {
   const int n = mesh.number_of_prescribed_vertices();
   if(projectors.empty())

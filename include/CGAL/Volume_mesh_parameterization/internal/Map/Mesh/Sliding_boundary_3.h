@@ -158,8 +158,8 @@ public:
   // Returns the conditions of prescribed vertices on surfaces, free for others, or none.
   const std::vector<Vertex_condition_3>& surfaces() const { return m_surfaces; }
 
-  // Is each facet of a planar region, if no vertex of it is on a surface, oriented as in the target? Decided by exact predicates on
-  // the coordinates, without the one in which the normal is the longest.
+  // Is each facet of a planar region, if no vertex of it is on a surface, oriented as in the target? Decided by exact predicates
+  // on the coordinates, without the one in which the normal is the longest.
   bool has_same_orientations(const Matrix3Xd& positions) const
   {
     for(std::size_t f = 0; f < m_facets.size(); ++f)
@@ -230,12 +230,10 @@ private:
       if(sizes[m_regions.region(f)] == 1)
         is_curved[u] = is_curved[v] = is_curved[w] = true;
     }
-    const auto slides = [&](const int v)
-    { return is_curved[v] && !m_mesh.is_free(v) && m_projectors[v - m_mesh.number_of_free_vertices].is_zero() && !is_constrained(v); };
-    bool is_any_sliding = false;
-    for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
-      is_any_sliding = is_any_sliding || slides(v);
-    if(!is_any_sliding)
+    const int first = m_mesh.number_of_free_vertices;
+    for(int v = first; v < m_mesh.number_of_vertices(); ++v)
+      is_curved[v] = is_curved[v] && m_projectors[v - first].is_zero() && !is_constrained(v);
+    if(std::find(is_curved.begin() + first, is_curved.end(), true) == is_curved.end())
       return;
     std::vector<std::array<double, 3> > points;
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
@@ -245,11 +243,11 @@ private:
       features.push_back({ std::size_t(v), std::size_t(w) });
     const Triangulated_surface_3 surface(points, triangles, features);
     m_surfaces.resize(m_projectors.size());
-    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
-      if(const Vertex_condition_3& condition = surface.condition(v); slides(v) && condition.is_sliding())
+    for(int v = first; v < m_mesh.number_of_vertices(); ++v)
+      if(const Vertex_condition_3& condition = surface.condition(v); is_curved[v] && condition.is_sliding())
       {
-        m_surfaces[v - m_mesh.number_of_free_vertices] = condition;
-        m_projectors[v - m_mesh.number_of_free_vertices] = put_on_surface_3(condition, m_mesh.target.col(v)).second;
+        m_surfaces[v - first] = condition;
+        m_projectors[v - first] = put_on_surface_3(condition, m_mesh.target.col(v)).second;
       }
   }
 

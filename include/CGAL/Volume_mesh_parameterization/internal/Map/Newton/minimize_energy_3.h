@@ -186,6 +186,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
                                          const Negative_curvature& negative_curvature = Negative_curvature(),
                                          const Ends_here& ends_here = nullptr, const double negligible_gain = 1e-8)
 {
+  constexpr double small_gain = 1e-3; // a guess; that vertices at folds of a surface may promise in vain
   system.set_references(Reference_cells::SOURCE);
   Minimizer_3 minimizer(system, energy, positions, negative_curvature);
   const Newton_iterate_3& iterate = minimizer.iterate();
@@ -202,6 +203,11 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return OK;
     if(!iterate.direction.is_usable())
       return ERROR_LINEAR_SOLVER_FAILED;
+    if(iterate.step_length == 0 && system.unknowns().are_some_on_surfaces())
+    {
+      reason = "No step lowers the energy, because vertices meet folds of their surface. A finer surface has smaller folds.";
+      return minimizer.is_converged(small_gain) ? OK : ERROR_NOT_CONVERGED;
+    }
     if(iterate.step_length == 0)
     {
       reason = "No step along the Newton direction lowers the energy. If the energy is your own, check_derivatives() compares its "
