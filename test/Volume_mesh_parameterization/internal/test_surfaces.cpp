@@ -162,6 +162,10 @@ TEST_CASE("Points are put back to the nearest point of a triangulated surface")
   const VMP::Triangulated_surface_3 surface(soup.points, triangles);
   CHECK(surface.number_of_patches() == 3);
   CHECK(surface.number_of_curves() == 2);
+  Triangles turned = triangles; // files may have triangles of any orientation
+  for(std::size_t t = 0; t < turned.size(); t += 3)
+    std::swap(turned[t][0], turned[t][1]);
+  CHECK(VMP::Triangulated_surface_3(soup.points, turned).number_of_patches() == 3);
   std::mt19937 engine;
   for(int i = 0; i < 300; ++i)
   {

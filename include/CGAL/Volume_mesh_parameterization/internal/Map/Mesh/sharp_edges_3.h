@@ -18,9 +18,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns whether the edge between two facets that are oriented alike is sharp.
+// Returns whether the edge between two facets is sharp.
 template <typename Facet, typename Position>
-bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
+bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position, const bool are_oriented_alike = true)
 {
   constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
   const auto normal = [&](const Facet& facet)
@@ -28,7 +28,7 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position)
     const auto [a, b] = edges_of_facet(facet, position);
     return a.cross(b).stableNormalized();
   };
-  return normal(f).dot(normal(g)) < cosine_of_sharp_edge;
+  return (are_oriented_alike ? 1 : -1) * normal(f).dot(normal(g)) < cosine_of_sharp_edge;
 }
 
 // Returns the cosine of the turn up to which an edge of a curve of sharp edges goes on in the next one.
@@ -52,7 +52,9 @@ std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<V
   {
     if(std::binary_search(marked.begin(), marked.end(), begin->first))
       found.push_back(begin->first);
-    if(is_sharp_edge(facets[begin->second[0] / 3], facets[(end - 1)->second[0] / 3], position))
+    const auto is_forward = [](const auto& corners) { return corners[1] % 3 == (corners[0] + 1) % 3; };
+    const bool are_oriented_alike = end - begin != 2 || is_forward(begin->second) != is_forward((end - 1)->second);
+    if(is_sharp_edge(facets[begin->second[0] / 3], facets[(end - 1)->second[0] / 3], position, are_oriented_alike))
       by_angle.push_back(begin->first);
   });
   return found.empty() ? by_angle : found;
