@@ -207,14 +207,14 @@ TEST_CASE("Vertices of curved regions slide on the triangles of the target, and 
   const auto ball = [](const Vector3d& p) -> Vector3d { return (p - Vector3d::Constant(n / 2.)).normalized(); };
   CHECK(number_of_sliding_vertices(mapped_cube(n, 0, ball)) == number_of_boundary_vertices);
   CHECK(number_of_vertices_on_surfaces(mapped_cube(n, 0, ball)) == number_of_boundary_vertices);
-  CHECK(number_of_sliding_vertices(twisted_cube(n)) == number_of_boundary_vertices - number_of_corners);
-  CHECK(number_of_vertices_on_surfaces(twisted_cube(n))
-        == number_of_boundary_vertices - number_of_corners - 2 * (n - 1) * (n - 1));
+  const std::size_t number = number_of_vertices_on_surfaces(twisted_cube(n)), number_in_planes = 2 * (n - 1) * (n - 1);
+  CHECK(number >= number_of_boundary_vertices - number_in_planes - 3 * number_of_corners);
+  CHECK(number <= number_of_boundary_vertices - number_in_planes - number_of_corners);
 
   Complex complex(twisted_cube(n)), fixed(twisted_cube(n));
   const Parameterization_result result = slide(complex);
   CHECK(result.status == VMP::OK);
-  CHECK(result.number_of_sliding_vertices == number_of_boundary_vertices - number_of_corners);
+  CHECK(result.number_of_sliding_vertices == number + number_in_planes);
   CHECK(result.energy < slide(fixed, {false}).energy);
   std::vector<std::array<double, 3> > points;
   std::vector<std::array<std::size_t, 3> > triangles;

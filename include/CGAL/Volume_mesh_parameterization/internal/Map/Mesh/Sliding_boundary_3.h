@@ -214,7 +214,7 @@ private:
   }
 
   // Lets vertices that would stay, but are inside of curved patches of the target or on curves between patches, slide on these. A
-  // patch is curved at a vertex if a facet there has no coplanar neighbour.
+  // patch is curved at a vertex if a facet there has no coplanar neighbour, or almost coplanar ones that lead around a bend.
   template <typename Predicate>
   void slide_on_curved_patches(const Predicate& is_constrained)
   {
@@ -227,7 +227,7 @@ private:
     {
       const auto& [u, v, w] = m_facets[f];
       triangles.push_back({ std::size_t(u), std::size_t(v), std::size_t(w) });
-      if(sizes[m_regions.region(f)] == 1)
+      if(sizes[m_regions.region(f)] == 1 || !m_regions.is_planar(m_regions.region(f)))
         is_curved[u] = is_curved[v] = is_curved[w] = true;
     }
     const int first = m_mesh.number_of_free_vertices;
