@@ -155,7 +155,7 @@ TEST_CASE("Vertices of a line slide on their triangles, or on the surface of a f
   CHECK((std::abs(targets[6][0] - 9) < 1e-12 && targets[6][2] == 0.25));
 
   CHECK(message_of("vertex 1 surface\n", read).find("a vertex has no surface of its own") != std::string::npos);
-  CHECK(message_of("5 surface none.off\n", read).find("none.off: the surface cannot be read") != std::string::npos);
+  CHECK(message_of("5 surface none.off\n", read).find("none.off: the file cannot be opened") != std::string::npos);
   CHECK(message_of("5 surface surface.off x\n", read).find("'x' follows the condition") != std::string::npos);
   CHECK(message_of("5 surface surface.off\nvertex 0 x=1\n5 x=8\n", read).find("contradict each other") != std::string::npos);
 }
