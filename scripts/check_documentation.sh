@@ -64,7 +64,7 @@ list_named_parameters()
   local file header name
   grep -rl 'check_named_parameters<internal_np::' "$headers" | sort | while read -r file; do
     header=$file
-    [[ $file != */parameterize_body_3.h ]] || header="$headers/stretch_minimizing_volume_parameterization.h"
+    [[ $file != */named_parameters_3.h ]] || header="$headers/stretch_minimizing_volume_parameterization.h"
     { sed -n '/check_named_parameters<internal_np::/,/;/p' "$file" | grep -o 'internal_np::[a-z_]*' |
         sed 's/internal_np:://; s/_t$//; s/^vertex_.*/&_map/'; printf 'visitor\nmaximum_running_time\n'; } |
       while read -r name; do

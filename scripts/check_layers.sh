@@ -23,14 +23,14 @@ part_of()
     return
   fi
   case $header in
-    stretch_minimizing_volume_parameterization.h | volume_parameterization_of_arrays.h) REPLY=entry ;;
+    stretch_minimizing_volume_parameterization.h | volume_parameterization_of_arrays.h | make_parameterizable.h) REPLY=Entry ;;
     internal/*/*) header=${header#internal/}; REPLY=${header%%/*} ;;
     Parameterization_parameters.h | Parameterization_result.h | select.h) REPLY=Support ;;
     *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
-    *_surface_3.h | Surface_intersection_3.h | Tetrahedron_soup_3.h | Vertex_condition_3.h | Vertex_map.h | conditions_of_patches.h | make_parameterizable.h | measure_distortion.h | \
-      mesh_complex_3_to_tetrahedron_soup.h | orient_tetrahedron_soup.h | repair_tetrahedron_soup.h | \
-      tetrahedron_soup_to_mesh_complex_3.h) REPLY=Map ;;
+    *_surface_3.h | Surface_intersection_3.h | Vertex_condition_3.h | Vertex_map.h | measure_distortion.h) REPLY=Map ;;
+    Tetrahedron_soup_3.h | conditions_of_patches.h | mesh_complex_3_to_tetrahedron_soup.h | orient_tetrahedron_soup.h | \
+      repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Soups ;;
     Volume_map_3.h) REPLY=Evaluation ;;
     *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
     IO/*.h) REPLY=IO ;;
@@ -46,11 +46,12 @@ parts_below()
     Energies | Solvers) REPLY="Support" ;;
     Map) REPLY="Energies Solvers Support" ;;
     Boundary | Evaluation) REPLY="Map Energies Solvers Support" ;;
-    entry | IO) REPLY="Boundary Evaluation Map Energies Solvers Support" ;;
-    Distributed) REPLY="IO Boundary Evaluation Map Energies Solvers Support" ;;
+    Soups) REPLY="Boundary Evaluation Map Energies Solvers Support" ;;
+    Entry | IO) REPLY="Soups Boundary Evaluation Map Energies Solvers Support" ;;
+    Distributed) REPLY="Entry IO Soups Boundary Evaluation Map Energies Solvers Support" ;;
     basic) REPLY="Support" ;;
-    Polycube | Hexahedra) REPLY="basic Boundary Evaluation Map Energies Solvers Support" ;;
-    IO_of_hexahedra) REPLY="Hexahedra IO Boundary Evaluation Map Energies Solvers Support" ;;
+    Polycube | Hexahedra) REPLY="basic Soups Boundary Evaluation Map Energies Solvers Support" ;;
+    IO_of_hexahedra) REPLY="Hexahedra IO Soups Boundary Evaluation Map Energies Solvers Support" ;;
   esac
 }
 
@@ -65,4 +66,8 @@ while IFS=: read -r header included; do
   fi
 done < <(grep -roE '^ *#\s*include <CGAL/[^>]+' "$package" Polycube_meshing_3 stretch_minimizing_volume_parameterization.h |
            sed 's|: *#\s*include <CGAL/|:|' | grep -E ":($package|Polycube_meshing_3)/" | sort)
+# The map knows points, cells and marked edges, and nothing that only files have.
+if grep -rnE 'soup\.|[Tt]etrahedron_soup|Data_array|group_name|notes' "$package"/internal/{Map,Boundary,Evaluation}; then
+  status=1
+fi
 exit $status

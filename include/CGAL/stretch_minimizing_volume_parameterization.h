@@ -259,42 +259,34 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
   static_assert(!(has_refinement_mode && std::is_const<C3t3>::value),
                 "refinement_mode must not be passed for a constant complex, which cannot be refined.");
 
-  return VMP::internal::run_problem<ConcurrencyTag>(np, [&](const VMP::internal::Map_problem_3& problem)
+  constexpr bool may_refine = !std::is_const<C3t3>::value && (has_refinement_mode || !has_boundary_map);
+  VMP::internal::Named_problem_3<ConcurrencyTag, NamedParameters> named(np);
+  VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
+  body.image_type = VMP::internal::coordinate_type_of_map<VertexUVWMap, Point_3>();
+  const auto vertex = [&](const std::size_t p) { return body.vertices[p]; };
+  const auto map_to = [&](const auto& target)
+  { return VMP::internal::map_body_3<Vertex_handle, may_refine>(body, np, target, vertex, named.problem()); };
+  VMP::internal::Body_map_3 map;
+  if constexpr(has_boundary_map)
   {
-    constexpr bool may_refine = !std::is_const<C3t3>::value && (has_refinement_mode || !has_boundary_map);
-    VMP::internal::Body_of_complex_3<std::remove_const_t<C3t3> > body(c3t3);
-    body.image_type = VMP::internal::coordinate_type_of_map<VertexUVWMap, Point_3>();
-    const auto vertex = [&](const std::size_t p) { return body.vertices[p]; };
-    std::vector<VMP::internal::Insertion_3> insertions;
-    std::vector<std::array<double, 3> > images;
-    const auto parameterize = [&](const auto& target)
-    {
-      return VMP::internal::parameterize_body_3<Vertex_handle, may_refine>(body, np, target, vertex, problem, insertions,
-                                                                           images);
-    };
-    VMP::Parameterization_result result;
-    if constexpr(has_boundary_map)
-    {
-      const auto boundary_map = parameters::get_parameter(np, internal_np::boundary_map);
-      static_assert(VMP::internal::Is_map_of<std::remove_const_t<decltype(boundary_map)>, Vertex_handle>::value,
-                    "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container), "
-                    "and for a function, boost::make_function_property_map<Vertex_handle>(function).");
-      result = parameterize([&](const std::size_t p) { return get(boundary_map, vertex(p)); });
-    }
-    else
-      result = parameterize(VMP::internal::targets_to_be_found(np, std::as_const(c3t3), body));
-    if constexpr(may_refine)
-    {
-      VMP::internal::insert_vertices(c3t3, body, insertions);
-      if constexpr(!has_boundary_map)
-        if(!insertions.empty())
-          VMP::internal::reorder_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
-    }
-    if(result.has_valid_map)
-      for(std::size_t v = 0; v < images.size(); ++v)
-        put(uvw_map, body.vertices[v], Point_3(images[v][0], images[v][1], images[v][2]));
-    return result;
-  });
+    const auto boundary_map = parameters::get_parameter(np, internal_np::boundary_map);
+    static_assert(VMP::internal::Is_map_of<std::remove_const_t<decltype(boundary_map)>, Vertex_handle>::value,
+                  "boundary_map must be a property map of vertices: for a container, pass make_vertex_point_map(container), "
+                  "and for a function, boost::make_function_property_map<Vertex_handle>(function).");
+    map = map_to([&](const std::size_t p) { return get(boundary_map, vertex(p)); });
+  }
+  else
+    map = map_to(VMP::internal::targets_to_be_found(np, std::as_const(c3t3), body));
+  if constexpr(may_refine)
+  {
+    VMP::internal::insert_vertices(c3t3, body, map.insertions);
+    if constexpr(!has_boundary_map)
+      if(!map.insertions.empty())
+        VMP::internal::reorder_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
+  }
+  for(std::size_t v = 0; v < map.images.size(); ++v) // none without a valid map
+    put(uvw_map, body.vertices[v], Point_3(map.images[v][0], map.images[v][1], map.images[v][2]));
+  return map.result;
 }
 
 } // namespace CGAL

@@ -645,8 +645,10 @@ TEST_CASE("a ring that is too coarse for a box with holes is refined for a polyc
   std::vector<VMP::internal::Mapped_boundary_3> boundaries;
   REQUIRE(Polycube(spacing).find_boundaries(body, true, VMP::internal::Budget(), boundaries) == VMP::OK);
   REQUIRE(boundaries.size() == 1); // there is no box
-  REQUIRE(VMP::internal::split_any_edges_3(body, boundaries[0].splits));
-  const VMP::Tetrahedron_soup_3& soup = body.soup;
+  const auto inserted = VMP::internal::split_any_edges_3(body, boundaries[0].splits);
+  REQUIRE(inserted);
+  VMP::Tetrahedron_soup_3 soup = ring;
+  VMP::internal::insert_points(body, *inserted, soup);
   targets = boundaries[0].targets;
   REQUIRE(soup.points.size() > ring.points.size());
   REQUIRE(targets.size() == soup.points.size());

@@ -270,7 +270,7 @@ TEST_CASE("A broken precondition names the place where it is asked")
   }
   catch(const CGAL::Precondition_exception& error)
   {
-    CHECK(error.filename().find("parameterize_body_3.h") != std::string::npos);
+    CHECK(error.filename().find("named_parameters_3.h") != std::string::npos);
     CHECK(error.line_number() > 0);
     CHECK(error.message() == "energy_tolerance must not be negative.");
   }

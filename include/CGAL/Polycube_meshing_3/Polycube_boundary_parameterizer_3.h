@@ -196,7 +196,7 @@ public:
     const internal::Body_of_complex_3<C3t3> body(c3t3);
     std::vector<std::size_t> label_of_facet;
     for(const std::size_t side : body.sides)
-      label_of_facet.push_back(get(labels, typename C3t3::Facet(body.cells[side / 4], static_cast<int>(side % 4))));
+      label_of_facet.push_back(get(labels, typename C3t3::Facet(body.cells_of_complex[side / 4], static_cast<int>(side % 4))));
     return this->parameterize_complex(body, target, np, label_of_facet);
   }
 
@@ -210,7 +210,7 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_3 body = internal::body_of(points, cells);
-    internal::require(internal::number_of_rows(labels) == body.soup.cells.size(), "labels must have an element for each cell.");
+    internal::require(internal::number_of_rows(labels) == body.cells.size(), "labels must have an element for each cell.");
     std::vector<std::size_t> label_of_facet;
     for(const std::size_t side : body.sides)
       label_of_facet.push_back(static_cast<std::size_t>(internal::row(labels, side / 4)[side % 4]));
@@ -221,7 +221,8 @@ public:
   // Stores the result of the polycube that a body is mapped to at last.
   void store_result(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
-    const internal::Body_3 body = internal::body_of(refined_body.soup); // with the sides that are on the boundary now
+    const internal::Body_3 body // with the sides that are on the boundary now
+      = internal::body_of_arrays(refined_body.points, refined_body.cells, refined_body.edges);
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::vector<Eigen::Vector3d> images;
     for(const std::size_t v : surface.vertices)
@@ -234,7 +235,7 @@ public:
         m_result->features_given_up.back().push_back(internal::coordinates(p));
     }
     constexpr std::size_t none = Polycube_result::no_label;
-    m_result->labels.assign(body.soup.cells.size(), { none, none, none, none });
+    m_result->labels.assign(body.cells.size(), { none, none, none, none });
     for(std::size_t f = 0; f < surface.facets.size(); ++f)
       m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = label_of_image(surface.facets[f], images);
   }

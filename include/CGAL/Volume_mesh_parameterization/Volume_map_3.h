@@ -13,10 +13,9 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Evaluation/Cell_locator_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
-#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
-
 
 #include <Eigen/Dense>
 
@@ -24,31 +23,6 @@
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization {
-
-namespace internal {
-
-// Map of a complex or of arrays.
-struct Mapped_soup_3 : Tetrahedron_soup_3
-{
-  Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images_of_points)
-    : Tetrahedron_soup_3(std::move(soup)), images(std::move(images_of_points))
-  { require(images.size() == points.size(), "images must have an element for each point."); }
-
-  template <typename C3t3, typename VertexUVWMap>
-  Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
-  {
-    static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
-    static_assert(Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
-                  "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
-    std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
-    mesh_complex_3_to_tetrahedron_soup(c3t3, *this, vertices);
-    images = points_of(vertices, uvw_map);
-  }
-
-  std::vector<std::array<double, 3> > images;
-};
-
-} // namespace internal
 
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
@@ -88,7 +62,7 @@ public:
           `C3t3::Triangulation::Geom_traits::Point_3` as value type
   */
   template <typename C3t3, typename VertexUVWMap>
-  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(internal::Mapped_soup_3(c3t3, uvw_map)) {}
+  Volume_map_3(const C3t3& c3t3, const VertexUVWMap uvw_map) : Volume_map_3(arrays_of(c3t3, uvw_map)) {}
 
   /// takes the points and cells of a mesh in arrays, as `CGAL::stretch_minimizing_volume_parameterization()` does, and the
   /// image of each point. Throws `std::out_of_range` if an index of a cell does not exist.
@@ -97,7 +71,7 @@ public:
             typename CellRange = std::vector<std::array<std::size_t, 4> >,
             typename ImageRange = std::vector<std::array<double, 3> > >
   Volume_map_3(const PointRange& points, const CellRange& cells, const ImageRange& images)
-    : Volume_map_3(internal::Mapped_soup_3(internal::soup_of(points, cells), internal::coordinates_of(images)))
+    : Volume_map_3(Arrays{ internal::coordinates_of(points), internal::indices_of(cells), internal::coordinates_of(images) })
   {}
 
   /// returns the image of a point; empty if the point is outside.
@@ -194,7 +168,25 @@ public:
   /// @}
 
 private:
-  explicit Volume_map_3(const internal::Mapped_soup_3& map) : m_source(map.points, map.cells), m_target(map.images, map.cells) {}
+  struct Arrays
+  {
+    std::vector<std::array<double, 3> > points;
+    std::vector<std::array<std::size_t, 4> > cells;
+    std::vector<std::array<double, 3> > images;
+  };
+
+  template <typename C3t3, typename VertexUVWMap>
+  static Arrays arrays_of(const C3t3& c3t3, const VertexUVWMap& uvw_map)
+  {
+    static_assert(internal::Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
+    static_assert(internal::Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
+                  "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+    internal::Body_of_complex_3<C3t3> body(c3t3);
+    return { std::move(body.points), std::move(body.cells), internal::points_of(body.vertices, uvw_map) };
+  }
+
+  explicit Volume_map_3(const Arrays& map) : m_source(map.points, map.cells), m_target(map.images, map.cells)
+  { internal::require(map.images.size() == map.points.size(), "images must have an element for each point."); }
 
   static std::optional<Location> carried(const std::optional<internal::Point_in_cell_3>& found,
                                          const internal::Cell_locator_3& other)

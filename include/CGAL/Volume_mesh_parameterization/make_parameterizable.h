@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Entry/map_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Vertex_insertion_3.h>
 
@@ -50,9 +51,8 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
   if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::boundary_map_t>::value)
   {
     const auto no_target = [](std::size_t) { return Exact_point_3(); };
-    const std::vector<bool> is_prescribed
-      = prescribed_points(body, prescription_3<Vertex>(body, np, no_target, vertex));
-    const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
+    const Prescription_3 prescription = prescription_3<Vertex>(body, np, no_target, vertex);
+    const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(prescription.is_prescribed, simplex); };
     return Simplex_removal_3(body, is_bad).run(budget);
   }
   else
@@ -80,15 +80,15 @@ std::size_t write_insertions(const std::vector<Insertion_3>& insertions, const N
   return insertions.size();
 }
 
-// Refines a soup whose points the user stores in some type.
-template <typename NamedParameters>
-std::size_t make_parameterizable_soup_3(Tetrahedron_soup_3& soup, const Coordinate_type& point_type, const NamedParameters& np)
+// Refines arrays, or a soup.
+template <typename Source, typename NamedParameters>
+std::size_t make_parameterizable_arrays_3(const Source& source, const NamedParameters& np)
 {
   const auto point = [](const std::size_t v) { return v; };
-  Body_3 body = body_of(soup);
-  body.point_type = point_type;
+  Body_3 body = source.body(false);
   const std::vector<Insertion_3> insertions = make_parameterizable_3<std::size_t>(body, np, point);
-  soup = std::move(body.soup);
+  if(!insertions.empty())
+    source.refine(std::move(body), insertions);
   return write_insertions(insertions, np, point);
 }
 
@@ -192,13 +192,7 @@ template <typename PointRange, typename CellRange, typename CGAL_NP_TEMPLATE_PAR
           typename = internal::If_range<CellRange> > // other types are for other overloads
 std::size_t make_parameterizable(PointRange& points, CellRange& cells,
                                  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
-  const std::size_t result = internal::make_parameterizable_soup_3(soup, internal::coordinate_type_of<PointRange>(), np);
-  if(result > 0)
-    internal::assign_refined(soup, points, cells);
-  return result;
-}
+{ return internal::make_parameterizable_arrays_3(internal::Arrays_3<PointRange, CellRange>{ points, cells }, np); }
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions
@@ -207,7 +201,7 @@ refines a soup in the same way. New cells and marked facets have the references 
 */
 template <typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t make_parameterizable(Tetrahedron_soup_3& soup, const CGAL_NP_CLASS& np = parameters::default_values())
-{ return internal::make_parameterizable_soup_3(soup, {}, np); }
+{ return internal::make_parameterizable_arrays_3(internal::Arrays_of_soup_3<Tetrahedron_soup_3>{ soup }, np); }
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -13,11 +13,11 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
-#include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 #include <vector>
 
@@ -47,7 +47,7 @@ template <typename C3t3, typename VertexUVWMap>
 Distortion_3 measure_distortion(const C3t3& c3t3, const VertexUVWMap uvw_map)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  return internal::distortion_of_soup_3(body.soup, internal::points_of(body.vertices, uvw_map));
+  return internal::distortion_of_body_3(body, internal::points_of(body.vertices, uvw_map));
 }
 
 /*!
@@ -62,8 +62,10 @@ measures the distortions of a map of a mesh that is given by arrays, in the same
 template <typename PointRange, typename CellRange, typename ImageRange>
 Distortion_3 measure_distortion(const PointRange& points, const CellRange& cells, const ImageRange& images)
 {
-  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
-  return internal::distortion_of_soup_3(soup, internal::coordinates_of(images));
+  internal::Body_3 body;
+  body.points = internal::coordinates_of(points);
+  body.cells = internal::indices_of(cells);
+  return internal::distortion_of_body_3(body, internal::coordinates_of(images));
 }
 
 /*!
@@ -88,7 +90,7 @@ template <typename C3t3, typename VertexUVWMap, typename = typename C3t3::Triang
 std::vector<Cell_distortion_3> cell_distortions(const C3t3& c3t3, const VertexUVWMap uvw_map)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  return internal::distortions_of_cells_3(body.soup.points, body.soup.cells, internal::points_of(body.vertices, uvw_map));
+  return internal::distortions_of_cells_3(body.points, body.cells, internal::points_of(body.vertices, uvw_map));
 }
 
 /*!
@@ -109,11 +111,11 @@ computes the distortions of each cell of a mesh that is given by arrays, in line
 template <typename PointRange, typename CellRange, typename ImageRange, typename = internal::If_range<PointRange> >
 std::vector<Cell_distortion_3> cell_distortions(const PointRange& points, const CellRange& cells, const ImageRange& images)
 {
-  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
-  const std::vector<std::array<double, 3> > coordinates = internal::coordinates_of(images);
-  internal::require(coordinates.size() == soup.points.size(), "images must have an element for each point.");
-  internal::check_cells(soup.cells, soup.points.size());
-  return internal::distortions_of_cells_3(soup.points, soup.cells, coordinates);
+  const std::vector<std::array<double, 3> > source = internal::coordinates_of(points), image = internal::coordinates_of(images);
+  const std::vector<std::array<std::size_t, 4> > indices = internal::indices_of(cells);
+  internal::require(image.size() == source.size(), "images must have an element for each point.");
+  internal::check_cells(indices, source.size());
+  return internal::distortions_of_cells_3(source, indices, image);
 }
 
 /*!
@@ -138,11 +140,11 @@ The time is linear in the number of cells.
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 Cell_quality_3 measure_quality(const PointRange& points, const CellRange& cells)
 {
-  const Tetrahedron_soup_3 soup = internal::soup_of(points, cells);
+  const std::vector<std::array<double, 3> > coordinates = internal::coordinates_of(points);
   std::vector<Cell_quality_3> qualities;
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
+  for(const std::array<std::size_t, 4>& cell : internal::indices_of(cells))
   {
-    const auto corner = [&](const int i) { return internal::to_vector(soup.points.at(cell[i])); };
+    const auto corner = [&](const int i) { return internal::to_vector(coordinates.at(cell[i])); };
     qualities.push_back(internal::quality_of_cell({ corner(0), corner(1), corner(2), corner(3) }));
   }
   return qualities.empty() ? Cell_quality_3() : internal::worst_quality(qualities);
@@ -164,7 +166,7 @@ template <typename C3t3, typename VertexUVWMap, typename = typename C3t3::Triang
 Cell_quality_3 measure_quality(const C3t3& c3t3, const VertexUVWMap uvw_map)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  return measure_quality(internal::points_of(body.vertices, uvw_map), body.soup.cells);
+  return measure_quality(internal::points_of(body.vertices, uvw_map), body.cells);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

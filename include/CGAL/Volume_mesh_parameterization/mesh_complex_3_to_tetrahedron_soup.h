@@ -12,24 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
 
 namespace CGAL::Volume_mesh_parameterization {
-namespace internal {
-
-// Returns the points that a property map has for vertices, in the order of the vertices.
-template <typename Vertex_handle, typename VertexPointMap>
-std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& vertices, const VertexPointMap& map)
-{
-  std::vector<std::array<double, 3> > result;
-  result.reserve(vertices.size());
-  for(const Vertex_handle v : vertices)
-    result.push_back(coordinates(get(map, v)));
-  return result;
-}
-
-} // namespace internal
-
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// collects the cells of a mesh complex and their vertices in a tetrahedron soup without marked facets, in linear time. The edges
@@ -46,9 +32,14 @@ void mesh_complex_3_to_tetrahedron_soup(const C3t3& c3t3, Tetrahedron_soup_3& so
                                         std::vector<typename C3t3::Triangulation::Vertex_handle>& vertices)
 {
   internal::Body_of_complex_3<C3t3> body(c3t3);
-  for(std::size_t c = 0; c < body.cells.size(); ++c)
-    body.soup.cell_references[c] = static_cast<int>(c3t3.subdomain_index(body.cells[c]));
-  soup = std::move(body.soup);
+  soup = {};
+  for(const auto cell : body.cells_of_complex)
+    soup.cell_references.push_back(static_cast<int>(c3t3.subdomain_index(cell)));
+  soup.points = std::move(body.points);
+  soup.cells = std::move(body.cells);
+  soup.edges = std::move(body.edges);
+  soup.edge_references = std::move(body.curves);
+  soup.corners = std::move(body.corners);
   vertices = std::move(body.vertices);
 }
 

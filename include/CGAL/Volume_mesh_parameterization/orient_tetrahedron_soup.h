@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {
@@ -63,7 +63,7 @@ std::size_t orient_tetrahedron_soup(Tetrahedron_soup_3& soup)
   internal::turn_cells(negative, soup);
   if(!negative.empty() && negative.size() != soup.cells.size())
   {
-    try { internal::Facet_matching_3(soup, {}, is_parallel); }
+    try { internal::Facet_matching_3(soup.cells, is_parallel); }
     catch(const Input_error&)
     {
       internal::turn_cells(negative, soup);
@@ -135,7 +135,7 @@ inline std::size_t orient_tetrahedron_soup_by_facets(Tetrahedron_soup_3& soup)
     if(is_turned[c])
       turned.push_back(c);
   internal::turn_cells(turned, soup);
-  try { internal::Facet_matching_3 matching(soup); }
+  try { internal::Facet_matching_3 matching(soup.cells); }
   catch(const Input_error&)
   {
     internal::turn_cells(turned, soup);

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/insert_points.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
@@ -28,7 +28,7 @@ namespace internal {
 // The corners of cells, where corner 4 c + i is vertex i of cell c. Facets join corners at the same vertex to fans.
 inline Disjoint_sets fans_of_corners(const Tetrahedron_soup_3& soup)
 {
-  const Facet_matching_3 matching(soup);
+  const Facet_matching_3 matching(soup.cells);
   Disjoint_sets fans(4 * soup.cells.size());
   for(std::size_t side = 0; side < 4 * soup.cells.size(); ++side)
     if(matching.mirror(side) < side)
@@ -53,14 +53,6 @@ inline void renumber_facets(const std::vector<std::array<std::size_t, 4> >& befo
     const auto found = moved.find(sorted(facet));
     facet = found == moved.end() ? facet : found->second;
   }
-}
-
-// Appends a copy of an element to its data.
-inline void copy_data(const std::size_t element, std::vector<Data_array_3>& arrays)
-{
-  for(Data_array_3& array : arrays)
-    for(std::size_t i = 0; i < array.number_of_components; ++i)
-      array.values.push_back(double(array.values[element * array.number_of_components + i]));
 }
 
 // Lets the marked edges follow the cells, which had the vertices `before`. An edge in several fans is appended for each of

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Mesh_complex_3_builder.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/Mesh_complex_3_builder.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -62,7 +62,7 @@ void tetrahedron_soup_to_mesh_complex_3(const Tetrahedron_soup_3& soup, C3t3& c3
   internal::check_points(stored);
   internal::check_simplices(stored);
   const bool has_negative_cells = internal::has_negative_cells(stored);
-  const internal::Facet_matching_3 matching(stored);
+  const internal::Facet_matching_3 matching(stored.cells, false, stored.facets);
 
   internal::Mesh_complex_3_builder<C3t3>(stored, matching, c3t3, vertices, cells).build(has_negative_cells);
 }

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/parameterize_arrays_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Entry/map_body_3.h>
 
 namespace CGAL {
 
@@ -66,15 +66,9 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
 {
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_refinement_mode<NamedParameters>;
-  VMP::Tetrahedron_soup_3 soup = VMP::internal::soup_of(points, cells);
-  const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    std::move(soup), VMP::internal::coordinate_type_of<PointRange>(), target, images, np,
-    [&](const VMP::Tetrahedron_soup_3& refined)
-  {
-    if constexpr(may_refine)
-      VMP::internal::assign_refined(refined, points, cells);
-  });
+  const VMP::internal::Arrays_3<PointRange, CellRange> source = { points, cells };
+  const auto target = VMP::internal::target_of_point<NamedParameters>(targets, VMP::internal::number_of_rows(points));
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(source, target, images, np);
 }
 
 /*!
@@ -95,13 +89,9 @@ stretch_minimizing_volume_parameterization(PointRange&& points, CellRange&& cell
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_refinement_mode<CGAL_NP_CLASS>
     || (VMP::internal::is_refinable<PointRange> && VMP::internal::is_refinable<CellRange>);
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    VMP::internal::soup_of(points, cells), VMP::internal::coordinate_type_of<PointRange>(),
-    VMP::internal::targets_to_be_found(np), images, np, [&](const VMP::Tetrahedron_soup_3& refined)
-  {
-    if constexpr(may_refine)
-      VMP::internal::assign_refined(refined, points, cells);
-  });
+  const VMP::internal::Arrays_3<PointRange, CellRange> source = { points, cells };
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(source, VMP::internal::targets_to_be_found(np),
+                                                                          images, np);
 }
 
 /*!
@@ -123,12 +113,8 @@ stretch_minimizing_volume_parameterization(Soup& soup, const TargetRange& target
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_refinement_mode<NamedParameters>;
   const auto target = VMP::internal::target_of_point<NamedParameters>(targets, soup.points.size());
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    soup, {}, target, images, np, [&](VMP::Tetrahedron_soup_3& refined)
-  {
-    if constexpr(may_refine)
-      soup = std::move(refined);
-  });
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(VMP::internal::Arrays_of_soup_3<Soup>{ soup }, target,
+                                                                          images, np);
 }
 
 /*!
@@ -145,12 +131,8 @@ stretch_minimizing_volume_parameterization(Soup& soup, ImageRange& images,
 {
   namespace VMP = Volume_mesh_parameterization;
   constexpr bool may_refine = VMP::internal::has_refinement_mode<CGAL_NP_CLASS> || !std::is_const<Soup>::value;
-  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(
-    soup, {}, VMP::internal::targets_to_be_found(np), images, np, [&](VMP::Tetrahedron_soup_3& refined)
-  {
-    if constexpr(may_refine)
-      soup = std::move(refined);
-  });
+  return VMP::internal::parameterize_arrays_3<ConcurrencyTag, may_refine>(VMP::internal::Arrays_of_soup_3<Soup>{ soup },
+                                                                          VMP::internal::targets_to_be_found(np), images, np);
 }
 
 } // namespace CGAL

@@ -4,7 +4,8 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Facet_matching_3.h>
+#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ TEST_CASE("Threads find the facets, and the first of several mistakes, that one 
   {
     try
     {
-      VMP::internal::Facet_matching_3(soup, {}, is_parallel);
+      VMP::internal::Facet_matching_3(soup.cells, is_parallel);
     }
     catch(const VMP::Input_error& error)
     {

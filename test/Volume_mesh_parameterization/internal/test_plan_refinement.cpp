@@ -5,6 +5,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/insert_points.h>
 
 #include <Eigen/Core>
 
@@ -303,7 +304,7 @@ struct Four_cells
 
   internal::Numbered_body_3 numbered() const
   {
-    return internal::Numbered_body_3(body.soup, internal::prescribed_points(body), body.soup.points);
+    return internal::Numbered_body_3(body, internal::used_points(body.boundary, body.points.size()), body.points);
   }
 
   // The images of the vertices in the order of the numbered mesh, from those of the points.
@@ -421,26 +422,26 @@ TEST_CASE("Given edges are split, longest first, and others are ignored")
   {
     CHECK(inserted[i].simplex == expected[i]);
     CHECK(inserted[i].point == mesh.source.cols() + i);
-    CHECK(internal::to_vector(body.soup.points[inserted[i].point])
+    CHECK(internal::to_vector(body.points[inserted[i].point])
           == (mesh.source.col(expected[i][0]) + mesh.source.col(expected[i][1])) / 2);
   }
-  CHECK(body.soup.cells.size() == 48 + 6 + 4 + 6);
+  CHECK(body.cells.size() == 48 + 6 + 4 + 6);
 }
 
 TEST_CASE("Once edges at the boundary are split, only new vertices inside are joined to those there")
 {
   const Numbered_mesh_3 mesh = cube_mesh(3);
   internal::Body_3 body = internal::body_of(source_soup(mesh));
-  const std::vector<bool> was_outer = internal::used_points(body.boundary, body.soup.points.size());
+  const std::vector<bool> was_outer = internal::used_points(body.boundary, body.points.size());
   internal::split_edges_at_boundary_3(body);
-  const std::vector<bool> is_outer = internal::used_points(body.boundary, body.soup.points.size());
+  const std::vector<bool> is_outer = internal::used_points(body.boundary, body.points.size());
   CHECK(std::count(is_outer.begin(), is_outer.end(), true) == std::count(was_outer.begin(), was_outer.end(), true));
-  CHECK(internal::body_of(body.soup).boundary.size() == 6 * 3 * 3 * 2); // no edge of the boundary is split
+  CHECK(internal::body_of(body.points, body.cells).boundary.size() == 6 * 3 * 3 * 2); // no edge of the boundary is split
   double volume = 0;
-  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+  for(const std::array<std::size_t, 4>& cell : body.cells)
   {
     const auto edge = [&](const std::size_t i) -> Eigen::Vector3d
-    { return internal::to_vector(body.soup.points[cell[i]]) - internal::to_vector(body.soup.points[cell[0]]); };
+    { return internal::to_vector(body.points[cell[i]]) - internal::to_vector(body.points[cell[0]]); };
     const double of_cell = edge(1).cross(edge(2)).dot(edge(3)) / 6;
     CHECK(of_cell > 0);
     volume += of_cell;
@@ -479,8 +480,11 @@ TEST_CASE("Cells, facets and edges keep references and data where they are split
   soup.edge_data = { { "pair", 2, false, { 1, 2, 3, 4 } } };
   const std::size_t number_of_cells = soup.cells.size();
   internal::Body_3 body = internal::body_of(soup);
-  REQUIRE(internal::split_edges_3(body, { { center, corner }, { center, below } }).size() == 2);
-  const VMP::Tetrahedron_soup_3& refined = body.soup;
+  const std::vector<internal::Insertion_3> inserted = internal::split_edges_3(body, { { center, corner }, { center, below } });
+  REQUIRE(inserted.size() == 2);
+  VMP::Tetrahedron_soup_3 refined = soup;
+  internal::insert_points(body, inserted, refined);
+  CHECK(refined.edges == body.edges);
   CHECK(refined.edges.size() == 3);
   CHECK(refined.edge_references == std::vector<int>{ 3, 4, 3 });
   CHECK(refined.edge_data[0].values == std::vector<double>{ 1, 2, 3, 4, 1, 2 });
@@ -493,8 +497,8 @@ TEST_CASE("Cells, facets and edges keep references and data where they are split
       CHECK(refined.point_data[0].values.at(3 * v + i) == refined.points[v][i]);
     CHECK(refined.point_data[1].values.at(v) == static_cast<double>(center)); // integers are not interpolated
   }
-  body.soup.point_data[0].values.pop_back();
-  CHECK_THROWS_AS(internal::body_of(body.soup), VMP::Input_error);
+  refined.point_data[0].values.pop_back();
+  CHECK_THROWS_AS(internal::body_of(refined), VMP::Input_error);
 }
 
 TEST_CASE("Cells and marked facets of a soup keep their references where they are split, and the body its volume")
@@ -540,15 +544,16 @@ TEST_CASE("Cells and marked facets of a soup keep their references where they ar
   REQUIRE(areas == std::map<int, double>{ { 9, 8. } });
 
   internal::Body_3 body = internal::body_of(soup);
-  REQUIRE(internal::Simplex_removal_3(body, [](const internal::Simplex_3& s)
-  {
-    return *std::max_element(s.begin(), s.end()) < 27; // each with old points only
-  }).run(internal::Budget()).size() > 8);
+  const auto is_old = [](const internal::Simplex_3& s) { return *std::max_element(s.begin(), s.end()) < 27; };
+  const std::vector<internal::Insertion_3> inserted = internal::Simplex_removal_3(body, is_old).run(internal::Budget());
+  REQUIRE(inserted.size() > 8);
+  VMP::Tetrahedron_soup_3 refined = soup;
+  internal::insert_points(body, inserted, refined);
   std::map<int, double> refined_volumes, refined_areas;
-  measure(body.soup, refined_volumes, refined_areas);
+  measure(refined, refined_volumes, refined_areas);
   for(const int reference : { 5, 7 })
     CHECK(refined_volumes.at(reference) == Approx(24));
   CHECK(refined_areas.at(9) == Approx(8));
-  CHECK(body.soup.facets.size() > soup.facets.size());
-  CHECK(internal::body_of(body.soup).boundary.size() == body.boundary.size()); // which throws if cells overlap
+  CHECK(refined.facets.size() > soup.facets.size());
+  CHECK(internal::body_of(refined).boundary.size() == body.boundary.size()); // which throws if cells overlap
 }

@@ -13,8 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/PETSc_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Entry/named_parameters_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Found_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 
 #include <iostream>
 
@@ -131,12 +131,10 @@ stretch_minimizing_volume_parameterization(
     VMP::internal::require(targets.size() == soup.points.size(), "targets must have an element for each point.");
     const auto map = VMP::internal::parameter_or(np, internal_np::vertex_is_constrained,
                                           Static_boolean_property_map<std::size_t, false>());
-    return VMP::internal::run_problem<Sequential_tag>(
-      np.verbose(is_printing), [&](const VMP::internal::Map_problem_3& problem)
-    {
-      return VMP::internal::parameterize_distributed_mesh_3(
-        communicator, soup, targets, [&](const std::size_t v) { return get(map, v); }, problem, images);
-    }, communicator);
+    const auto of_process = np.verbose(is_printing);
+    VMP::internal::Named_problem_3<Sequential_tag, std::remove_const_t<decltype(of_process)> > named(of_process, communicator);
+    return VMP::internal::parameterize_distributed_mesh_3(
+      communicator, soup, targets, [&](const std::size_t v) { return get(map, v); }, named.problem(), images);
   });
 }
 

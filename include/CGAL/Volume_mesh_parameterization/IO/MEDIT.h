@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Binary_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/MEDIT_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 namespace internal {

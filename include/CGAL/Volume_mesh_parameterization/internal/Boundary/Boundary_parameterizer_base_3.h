@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Vertex_map.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <cmath>
@@ -48,11 +49,11 @@ public:
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return parameterize_arrays(body_of(points, cells), targets, np, typename Model::Given()); }
 
-  /// writes the image of each point on the boundary of a soup, whose marked edges are its sharp ones.
-  template <typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const Tetrahedron_soup_3& soup, TargetRange& targets,
+  /// writes the image of each point on the boundary of a mesh with points, cells and marked edges, which are its sharp ones.
+  template <typename Mesh, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS, typename = decltype(Mesh::edges)>
+  Error_code parameterize(const Mesh& mesh, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
-  { return parameterize_arrays(body_of(soup), targets, np, typename Model::Given()); }
+  { return parameterize_arrays(body_of_arrays(mesh.points, mesh.cells, mesh.edges), targets, np, typename Model::Given()); }
 
   // Finds images of the boundary of a body, which may be refined for them if the model can do that.
   Error_code find_boundaries(const Body_3& body, const bool may_refine, const Budget& budget,
@@ -105,7 +106,7 @@ protected:
                                            const std::vector<Eigen::Vector3d>& images)
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    const std::size_t n = surface.vertices.size(), number_of_points = body.soup.points.size();
+    const std::size_t n = surface.vertices.size(), number_of_points = body.points.size();
     const auto point = [&](const std::size_t v) { return v < n ? surface.vertices[v] : number_of_points + (v - n); };
     Mapped_boundary_3 result;
     for(const auto& [v, w] : splits)
@@ -201,11 +202,11 @@ Error_code find_boundaries_3(const Parameterizer& parameterizer, const Body_3& b
   else
   {
     std::vector<std::array<double, 3> > targets;
-    const Error_code status = parameterizer.parameterize(body.soup.points, body.soup.cells, targets,
+    const Error_code status = parameterizer.parameterize(body.points, body.cells, targets,
                                                          parameters::visitor(Visitor_of_budget{ budget }));
     if(status != OK)
       return status;
-    const std::vector<bool> is_on_boundary = used_points(body.boundary, body.soup.points.size());
+    const std::vector<bool> is_on_boundary = used_points(body.boundary, body.points.size());
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     targets.resize(is_on_boundary.size(), { nan, nan, nan });
     for(std::size_t v = 0; v < targets.size(); ++v)

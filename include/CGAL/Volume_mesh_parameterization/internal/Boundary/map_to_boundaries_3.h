@@ -43,12 +43,10 @@ struct Mapped_body_3
 {
   Body_3 body;
   const Mapped_boundary_3* boundary;
-  std::vector<Insertion_3> insertions;
-  Parameterization_result result;
-  std::vector<std::array<double, 3> > images;
+  Body_map_3 map;
 
-  bool has_valid_map() const { return result.has_valid_map; }
-  bool meets_boundary() const { return has_valid_map() && result.boundary_residual == 0; }
+  bool has_valid_map() const { return map.result.has_valid_map; }
+  bool meets_boundary() const { return has_valid_map() && map.result.boundary_residual == 0; }
 };
 
 // Makes the attempts for which there is a boundary, with `map(attempt, boundary, is_last)`. Returns the first map that meets its

@@ -21,26 +21,26 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3 body, Prescription_3 prescription,
                                        const Mapped_boundary_3& boundary, Map_problem_3 problem)
 {
-  Mapped_body_3 mapped = { std::move(body), &boundary, {}, {}, {} };
-  if(std::optional<std::vector<Insertion_3> > made = split_any_edges_3(mapped.body, boundary.splits))
-    mapped.insertions = std::move(*made);
-  else
+  Mapped_body_3 mapped = { std::move(body), &boundary, {} };
+  std::optional<std::vector<Insertion_3> > insertions = split_any_edges_3(mapped.body, boundary.splits);
+  if(!insertions)
   {
-    mapped.result.status = ERROR_BOUNDARY_TOO_COARSE;
-    mapped.result.message = get_error_message(ERROR_BOUNDARY_TOO_COARSE);
+    mapped.map.result.status = ERROR_BOUNDARY_TOO_COARSE;
+    mapped.map.result.message = get_error_message(ERROR_BOUNDARY_TOO_COARSE);
     return mapped;
   }
   if(attempt.do_split_inside)
   {
     const std::vector<Insertion_3> made = split_edges_at_boundary_3(mapped.body);
-    mapped.insertions.insert(mapped.insertions.end(), made.begin(), made.end());
+    insertions->insert(insertions->end(), made.begin(), made.end());
   }
   if(attempt.is_held && problem.options.mode == Boundary_mode::AUTO)
     problem.options.mode = Boundary_mode::FIXED;
   prescription.targets = boundary.targets;
-  prescription.extend_to(mapped.body.soup.points.size());
-  mapped.result = refine_and_parameterize_body_3(mapped.body, std::move(prescription), problem, mapped.insertions, mapped.images);
-  mapped.result.number_of_added_boundary_vertices = boundary.splits.size();
+  prescription.extend_to(mapped.body.points.size());
+  set_prescribed_points(mapped.body, prescription);
+  mapped.map = refine_and_parameterize_body_3(mapped.body, std::move(prescription), problem, std::move(*insertions));
+  mapped.map.result.number_of_added_boundary_vertices = boundary.splits.size();
   return mapped;
 }
 

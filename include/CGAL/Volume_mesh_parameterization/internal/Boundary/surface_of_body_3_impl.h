@@ -20,18 +20,18 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body)
 {
-  const Numbered_points numbered(body.boundary, body.soup.points.size());
+  const Numbered_points numbered(body.boundary, body.points.size());
   Numbered_surface_3 surface;
   surface.vertices = numbered.points;
-  surface.cells = &body.soup.cells;
+  surface.cells = &body.cells;
   for(const std::size_t v : surface.vertices)
-    surface.points.push_back(to_vector(body.soup.points[v]));
+    surface.points.push_back(to_vector(body.points[v]));
   surface.facets = body.boundary;
   for(std::array<std::size_t, 3>& facet : surface.facets)
     for(std::size_t& v : facet)
       v = static_cast<std::size_t>(numbered.numbers[v]);
   std::vector<std::array<std::size_t, 2> > marked;
-  for(const auto& [v, w] : body.soup.edges)
+  for(const auto& [v, w] : body.edges)
     if(numbered.numbers[v] >= 0 && numbered.numbers[w] >= 0)
       marked.push_back({ static_cast<std::size_t>(numbered.numbers[v]), static_cast<std::size_t>(numbered.numbers[w]) });
   surface.sharp_edges = sharp_edges_3(surface.facets, std::move(marked), [&](const std::size_t v) { return surface.points[v]; });
@@ -54,7 +54,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const 
   const std::vector<std::size_t> points = non_manifold_points(body);
   return sentence(" The boundary is not a manifold at ",
                   counted(points.size(), "vertex, the one at ", "vertices, among them the one at "),
-                  describe(to_vector(body.soup.points[points.front()])), ".");
+                  describe(to_vector(body.points[points.front()])), ".");
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -17,7 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Facet_matching_3.h>
 
 #include <petscsystypes.h>
 
@@ -46,7 +46,7 @@ public:
     const std::vector<int> owner = all.get(owner_in_slice);
     // true for the own vertices only: the other cell of a facet may be with another process
     const std::vector<bool> is_on_boundary = used_points(
-      facets_of_sides(cells.cells, Facet_matching_3(cells, numbers).sides_on_boundary()), cells.points.size());
+      facets_of_sides(cells.cells, Facet_matching_3(cells.cells, false, {}, numbers).sides_on_boundary()), cells.points.size());
     std::vector<PetscInt> own;
     std::vector<std::size_t> indices_of_own;
     std::vector<char> is_own_prescribed, is_prescribed_in_slice(m_size_of_slice, 0);

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/alignment_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Simplex_removal_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/find_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/make_result_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/plan_refinement_3.h>
@@ -83,7 +84,7 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
 // Numbers a body, with all that is prescribed in these numbers.
 inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
 {
-  Numbered_body_3 result(body.soup, prescribed_points(body, prescription), prescription.targets,
+  Numbered_body_3 result(body, prescription.is_prescribed, prescription.targets,
                          options.use_volume_weights, options.is_parallel);
   Numbered_mesh_3& mesh = result.mesh;
   if(!prescription.conditions.empty())
@@ -149,28 +150,27 @@ inline std::size_t number_of_marks(const std::vector<bool>& is_marked)
 { return static_cast<std::size_t>(std::count(is_marked.begin(), is_marked.end(), true)); }
 
 // The result where the time was over before the numbering, which takes about as long as a step.
-inline Parameterization_result interrupted_result(const Body_3& body, const Progress_3& progress)
+inline Body_map_3 interrupted_map(const Body_3& body, const Progress_3& progress)
 {
   Parameterization_result result
     = refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED)), progress);
-  result.number_of_vertices = number_of_marks(used_points(body.soup.cells, body.soup.points.size()));
-  result.number_of_cells = body.soup.cells.size();
-  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
-  return result;
+  result.number_of_vertices = number_of_marks(used_points(body.cells, body.points.size()));
+  result.number_of_cells = body.cells.size();
+  result.number_of_boundary_vertices = number_of_marks(used_points(body.boundary, body.points.size()));
+  return { result, {}, {} };
 }
 
-// The result of a search, if there was one. Rounds the images of the points to what the user stores, and writes them if they
-// are a map.
-inline Parameterization_result written_result(const Body_3& body, const Checked_body_3& checked,
-                                              const Map_problem_3& problem, std::optional<Found_map_3>&& found,
-                                              std::vector<std::array<double, 3> >& images)
+// The map of a search, if there was one. Rounds the images of the points to what the user stores.
+inline Body_map_3 map_of_search(const Body_3& body, const Checked_body_3& checked, const Map_problem_3& problem,
+                                std::optional<Found_map_3>&& found)
 {
+  Body_map_3 map;
+  Parameterization_result& result = map.result;
+  std::vector<std::array<double, 3> >& images = map.images;
   const auto& [numbered, check] = checked;
   if(found)
     round_map_3(numbered.mesh, body.image_type, problem, *found);
-  Parameterization_result result
-    = found ? make_result_3(numbered.mesh, check, *found, problem)
-            : refused_result(check, problem.progress);
+  result = found ? make_result_3(numbered.mesh, check, *found, problem) : refused_result(check, problem.progress);
   if(result.has_valid_map)
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -178,30 +178,28 @@ inline Parameterization_result written_result(const Body_3& body, const Checked_
     for(std::size_t v = 0; v < numbered.points.size(); ++v)
       images[numbered.points[v]] = coordinates(found->map.positions.col(v));
     result.boundary_distortion
-      = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.soup.points[p]); },
+      = facet_distortion_3(body.boundary, [&](const std::size_t p) { return to_vector(body.points[p]); },
                            [&](const std::size_t p) { return to_vector(images[p]); });
   }
   result.number_of_vertices = numbered.points.size();
   result.number_of_cells = numbered.mesh.cells.size();
-  result.number_of_boundary_vertices = number_of_marks(prescribed_points(body));
-  return result;
+  result.number_of_boundary_vertices = number_of_marks(used_points(body.boundary, body.points.size()));
+  return map;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result parameterize_body_3(Body_3 body, const Prescription_3& prescription, const Map_problem_3& problem,
-                                            std::vector<std::array<double, 3> >& images)
+Body_map_3 parameterize_body_3(Body_3 body, const Prescription_3& prescription, const Map_problem_3& problem)
 {
   if(problem.progress.is_interrupted())
-    return interrupted_result(body, problem.progress);
+    return interrupted_map(body, problem.progress);
   const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
-  body.soup.cells = std::vector<std::array<std::size_t, 4> >(); // gives their memory back: only numbered ones are needed now
-  body.soup.cell_references = std::vector<int>();
+  body.cells = std::vector<std::array<std::size_t, 4> >(); // gives their memory back: only numbered ones are needed now
   Search_start_3 start;
   start.patience = 2; // where nothing can be refined, larger weights get a chance
   std::optional<Found_map_3> found;
   if(checked.check.allows(problem.options.mode))
     found = find_map_of_body_3(checked, problem, start);
-  return written_result(body, checked, problem, std::move(found), images);
+  return map_of_search(body, checked, problem, std::move(found));
 }
 
 // Splits edges of vertices.
@@ -218,18 +216,21 @@ inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const st
 // search was blocked, in turn. More new points than a tenth would mean that this does not help; a small body may need many in
 // proportion. Nothing is refined any more once a limit of time is reached.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription,
-                                                       const Map_problem_3& problem, std::vector<Insertion_3>& insertions,
-                                                       std::vector<std::array<double, 3> >& images)
+Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription, const Map_problem_3& problem,
+                                          std::vector<Insertion_3> insertions)
 {
   if(problem.progress.is_interrupted())
-    return interrupted_result(body, problem.progress);
+  {
+    Body_map_3 map = interrupted_map(body, problem.progress);
+    map.insertions = std::move(insertions);
+    return map;
+  }
   const Budget& budget = problem.progress.budget();
   Checked_body_3 checked(body, prescription, problem, budget);
   const auto take = [&](const std::vector<Insertion_3>& made)
   {
     insertions.insert(insertions.end(), made.begin(), made.end());
-    prescription.extend_to(body.soup.points.size());
+    prescription.extend_to(body.points.size());
     checked = Checked_body_3(body, prescription, problem, Budget()); // there may be a map to be returned
   };
   if(checked.check.allows_soft_boundary() && checked.check.is_refinable)
@@ -263,18 +264,19 @@ Parameterization_result refine_and_parameterize_body_3(Body_3& body, Prescriptio
   if(!found && checked.check.status == ERROR_PRESCRIBED_CELL_INVERTED && checked.check.is_refinable && budget.is_exhausted())
     checked.check.status = ERROR_INTERRUPTED;
   checked.check.is_refinable = false; // by more than what has been refined
-  Parameterization_result result = written_result(body, checked, problem, std::move(found), images);
-  result.number_of_added_vertices = insertions.size();
-  return result;
+  Body_map_3 map = map_of_search(body, checked, problem, std::move(found));
+  map.result.number_of_added_vertices = insertions.size();
+  map.insertions = std::move(insertions);
+  return map;
 }
 
 // Measures the distortion with all points prescribed, so that the map is their target.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Distortion_3 distortion_of_soup_3(const Tetrahedron_soup_3& soup, const std::vector<std::array<double, 3> >& images)
+Distortion_3 distortion_of_body_3(const Body_3& body, const std::vector<std::array<double, 3> >& images)
 {
-  check_simplices(soup);
-  require(images.size() == soup.points.size(), "images must have an element for each point.");
-  const Numbered_mesh_3 mesh = Numbered_body_3(soup, std::vector<bool>(soup.points.size(), true), images).mesh;
+  check_cells(body.cells, body.points.size());
+  require(images.size() == body.points.size(), "images must have an element for each point.");
+  const Numbered_mesh_3 mesh = Numbered_body_3(body, std::vector<bool>(body.points.size(), true), images).mesh;
   return measure_distortion_3(mesh, singular_values_of_cells_3(mesh, mesh.target));
 }
 

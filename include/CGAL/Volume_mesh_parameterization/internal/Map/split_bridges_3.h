@@ -27,7 +27,7 @@ inline std::vector<bool> points_of_bridges_3(Body_3& body, const std::vector<boo
 {
   const Refinement_3 refinement(body);
   std::vector<bool> result(is_prescribed.size(), false);
-  for(std::size_t c = 0; c < body.soup.cells.size() && !budget.is_exhausted(); ++c)
+  for(std::size_t c = 0; c < body.cells.size() && !budget.is_exhausted(); ++c)
     for_each_face(refinement.cell(c), [&](const Simplex_3& simplex)
     {
       if(is_prescribed_simplex(is_prescribed, simplex)
@@ -84,7 +84,7 @@ inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_bod
     return split_distorted_cells_3(body, numbered, progress.budget());
   Linear_solver_3& solver = problem.solver;
   const Numbered_mesh_3& mesh = numbered.mesh;
-  const std::vector<bool> is_prescribed = fixed_points(body, prescription);
+  const std::vector<bool> is_prescribed = prescription.fixed_points();
   const std::vector<bool> has_bridge = points_of_bridges_3(body, is_prescribed, progress.budget());
   const auto is_at_bridge = [&](const std::size_t c)
   {

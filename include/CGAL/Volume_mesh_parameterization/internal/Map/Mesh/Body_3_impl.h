@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Facet_matching_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -32,12 +32,14 @@ std::vector<std::array<std::size_t, 3> > facets_of_sides(const std::vector<std::
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Body_3 body_of(Tetrahedron_soup_3 soup, const bool is_parallel)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Body_3 body_of_arrays(std::vector<std::array<double, 3> > points, std::vector<std::array<std::size_t, 4> > cells,
+                      std::vector<std::array<std::size_t, 2> > edges, const bool is_parallel)
 {
-  check_simplices(soup);
-  const std::vector<std::size_t> sides = Facet_matching_3(soup, {}, is_parallel).sides_on_boundary();
-  const auto boundary = facets_of_sides(soup.cells, sides);
-  return { std::move(soup), boundary, sides, {}, {} };
+  check_cells(cells, points.size());
+  const std::vector<std::size_t> sides = Facet_matching_3(cells, is_parallel).sides_on_boundary();
+  const auto boundary = facets_of_sides(cells, sides);
+  return { std::move(points), std::move(cells), std::move(edges), boundary, sides, {}, {} };
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void Prescription_3::extend_to(const std::size_t number_of_points)
@@ -45,39 +47,28 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void Prescription_3::extend_to(const st
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   targets.resize(number_of_points, { nan, nan, nan });
   is_constrained.resize(number_of_points, false);
+  is_prescribed.resize(number_of_points, false);
   if(!conditions.empty())
     conditions.resize(number_of_points);
   if(!initial.empty())
     initial.resize(number_of_points, { nan, nan, nan });
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> points_of_cells(const Body_3& body)
-{ return used_points(body.soup.cells, body.soup.points.size()); }
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<bool> prescribed_points(const Body_3& body, const std::vector<bool>& is_constrained)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> Prescription_3::fixed_points() const
 {
-  std::vector<bool> result = used_points(body.boundary, body.soup.points.size());
-  for(std::size_t v = 0; v < is_constrained.size(); ++v)
-    result[v] = result[v] || is_constrained[v];
+  std::vector<bool> result = is_prescribed;
+  for(std::size_t p = 0; p < conditions.size(); ++p)
+    result[p] = is_at_target_first(conditions[p]);
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-std::vector<bool> prescribed_points(const Body_3& body, const Prescription_3& prescription)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void set_prescribed_points(const Body_3& body, Prescription_3& prescription)
 {
-  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
-  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
-    result[p] = prescription.conditions[p].kind() != Vertex_condition_3::FREE;
-  return result;
-}
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> fixed_points(const Body_3& body, const Prescription_3& prescription)
-{
-  std::vector<bool> result = prescribed_points(body, prescription.is_constrained);
-  for(std::size_t p = 0; p < prescription.conditions.size(); ++p)
-    result[p] = is_at_target_first(prescription.conditions[p]);
-  return result;
+  std::vector<bool>& is_prescribed = prescription.is_prescribed;
+  is_prescribed = used_points(body.boundary, body.points.size());
+  for(std::size_t p = 0; p < is_prescribed.size(); ++p)
+    is_prescribed[p] = prescription.conditions.empty() ? is_prescribed[p] || prescription.is_constrained[p]
+                                                       : prescription.conditions[p].kind() != Vertex_condition_3::FREE;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -116,16 +116,16 @@ struct Numbered_body_3
   std::vector<int> vertices;       // of each point, or -1
 
   // Vertices with a target that is not among the prescribed ones are free.
-  Numbered_body_3(const Tetrahedron_soup_3& soup, const std::vector<bool>& is_point_prescribed,
+  Numbered_body_3(const Body_3& body, const std::vector<bool>& is_point_prescribed,
                   const std::vector<std::array<double, 3> >& targets, const bool has_volume_weights = false,
                   const bool is_parallel = false)
   {
-    Numbered_points numbered(soup.cells, soup.points.size());
+    Numbered_points numbered(body.cells, body.points.size());
     points = std::move(numbered.points);
     vertices = std::move(numbered.numbers);
-    const auto cells = values_of_indices(is_parallel, soup.cells.size(), [&](const std::size_t c) -> std::array<int, 4>
+    const auto cells = values_of_indices(is_parallel, body.cells.size(), [&](const std::size_t c) -> std::array<int, 4>
     {
-      const auto& [p, q, r, s] = soup.cells[c];
+      const auto& [p, q, r, s] = body.cells[c];
       return { vertices[p], vertices[q], vertices[r], vertices[s] };
     });
     std::vector<bool> is_prescribed;
@@ -134,7 +134,7 @@ struct Numbered_body_3
 
     std::vector<std::size_t> order;
     mesh.is_parallel = is_parallel;
-    std::tie(mesh, order) = ordered_mesh_3(cells, columns(soup.points), is_prescribed, is_parallel);
+    std::tie(mesh, order) = ordered_mesh_3(cells, columns(body.points), is_prescribed, is_parallel);
     mesh.has_volume_weights = has_volume_weights;
     const std::vector<std::size_t> points_before = points;
     for(std::size_t v = 0; v < order.size(); ++v)
@@ -142,7 +142,7 @@ struct Numbered_body_3
       points[v] = points_before[order[v]];
       vertices[points[v]] = static_cast<int>(v);
     }
-    for(const auto& [p, q] : soup.edges)
+    for(const auto& [p, q] : body.edges)
       if(vertices[p] >= 0 && vertices[q] >= 0)
         mesh.marked_edges.push_back({ vertices[p], vertices[q] });
     set_targets(mesh, columns(targets));

@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Coordinate_type.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
@@ -124,26 +123,6 @@ std::vector<std::array<std::size_t, 4> > indices_of(const CellRange& cells)
   }
   return result;
 }
-
-// Appends new points and cells; cells that were there may have become smaller.
-template <typename PointRange, typename CellRange>
-void assign_refined(const Tetrahedron_soup_3& refined, PointRange& points, CellRange& cells)
-{
-  static_assert(!std::is_const<PointRange>::value && !std::is_const<CellRange>::value,
-                "refinement_mode must not be passed for constant arrays, which cannot be refined.");
-  assign_coordinates(refined.points, points, number_of_rows(points));
-  resize_rows(cells, refined.cells.size(), 4);
-  for(std::size_t c = 0; c < refined.cells.size(); ++c)
-  {
-    auto&& cell = row(cells, c);
-    for(int i = 0; i < 4; ++i)
-      cell[i] = static_cast<std::decay_t<decltype(cell[i])> >(refined.cells[c][i]);
-  }
-}
-
-template <typename PointRange, typename CellRange>
-Tetrahedron_soup_3 soup_of(const PointRange& points, const CellRange& cells)
-{ return { coordinates_of(points), indices_of(cells), std::vector<int>(number_of_rows(cells)), {}, {} }; }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

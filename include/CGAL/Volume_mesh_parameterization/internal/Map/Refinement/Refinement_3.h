@@ -43,14 +43,13 @@ void for_each_face(const Simplex_3& simplex, const Function& f)
   }
 }
 
-// Simplices of one dimension with their references and data, and which of them have a point.
+// Simplices of one dimension, and which of them have a point.
 template <std::size_t N>
 class Incident_simplices_3
 {
 public:
-  Incident_simplices_3(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references,
-                       std::vector<Data_array_3>& data, const std::size_t number_of_points)
-    : m_simplices(simplices), m_references(references), m_data(data), m_incident(number_of_points)
+  Incident_simplices_3(std::vector<std::array<std::size_t, N> >& simplices, const std::size_t number_of_points)
+    : m_simplices(simplices), m_incident(number_of_points)
   {
     for(std::size_t s = 0; s < simplices.size(); ++s)
       for(const std::size_t v : simplices[s])
@@ -68,11 +67,13 @@ public:
   }
 
   // Makes a new point, the next one, a vertex of a simplex. Of each simplex around there is one for each of these vertices,
-  // replaced by the new point: the first replaces the old simplex, the others come behind all.
-  void insert(const Simplex_3& face)
+  // replaced by the new point: the first replaces the old simplex, the others come behind all. Returns the old simplex of each of
+  // these.
+  std::vector<std::size_t> insert(const Simplex_3& face)
   {
     const std::size_t v = m_incident.size();
     const std::vector<std::size_t> old_ones = around(face);
+    std::vector<std::size_t> origins;
     m_incident.emplace_back();
     for(const std::size_t s : old_ones)
     {
@@ -81,15 +82,13 @@ public:
         for(const std::size_t w : replace(m_simplices[s], face[k], v))
           m_incident[w].push_back(m_simplices.size());
         m_simplices.push_back(replace(m_simplices[s], face[k], v));
-        m_references.push_back(m_references[s]);
-        for(Data_array_3& array : m_data)
-          for(std::size_t i = 0; i < array.number_of_components; ++i)
-            array.values.push_back(array.values[s * array.number_of_components + i]);
+        origins.push_back(s);
       }
       m_simplices[s] = replace(m_simplices[s], face[0], v);
       m_incident[face[0]].erase(std::find(m_incident[face[0]].begin(), m_incident[face[0]].end(), s));
       m_incident[v].push_back(s);
     }
+    return origins;
   }
 
 private:
@@ -100,20 +99,15 @@ private:
   }
 
   std::vector<std::array<std::size_t, N> >& m_simplices;
-  std::vector<int>& m_references;
-  std::vector<Data_array_3>& m_data;
   std::vector<std::vector<std::size_t> > m_incident;
 };
 
-// Makes new points vertices of edges, facets and cells of a body, of interior ones unless others are asked for. New cells,
-// facets and edges have the references and data of those they come from.
+// Makes new points vertices of edges, facets and cells of a body, of interior ones unless others are asked for.
 class Refinement_3
 {
 public:
   explicit Refinement_3(Body_3& body)
-    : m_body(body), m_cells(body.soup.cells, body.soup.cell_references, body.soup.cell_data, body.soup.points.size()),
-      m_facets(body.soup.facets, body.soup.facet_references, body.soup.facet_data, body.soup.points.size()),
-      m_edges(body.soup.edges, body.soup.edge_references, body.soup.edge_data, body.soup.points.size())
+    : m_body(body), m_cells(body.cells, body.points.size()), m_edges(body.edges, body.points.size())
   {
     for(const auto& [u, v, w] : body.boundary)
       m_boundary_edges.insert(m_boundary_edges.end(), { (std::minmax)(u, v), (std::minmax)(v, w), (std::minmax)(w, u) });
@@ -122,7 +116,7 @@ public:
 
   std::vector<std::size_t> cells_around(const Simplex_3& simplex) const { return m_cells.around(simplex); }
 
-  Simplex_3 cell(const std::size_t c) const { return Simplex_3(m_body.soup.cells[c].begin(), m_body.soup.cells[c].end()); }
+  Simplex_3 cell(const std::size_t c) const { return Simplex_3(m_body.cells[c].begin(), m_body.cells[c].end()); }
 
   // Is a simplex with these cells around it one of the body, and not of its boundary?
   bool is_interior(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
@@ -157,59 +151,39 @@ public:
   // Makes a point a vertex of a simplex that may belong to the boundary, which changes then.
   std::optional<Insertion_3> insert(const Simplex_3& simplex, const std::vector<std::size_t>& cells)
   {
-    const Weights weights = weights_of_point(simplex, cells);
-    if(weights.empty())
+    Insertion_3 insertion = { m_body.points.size(), simplex, {}, cells };
+    if(!set_weights(insertion))
       return std::nullopt;
     m_cells.insert(simplex);
-    m_facets.insert(simplex);
     m_edges.insert(simplex);
-    m_body.soup.points.push_back(coordinates(point(simplex, weights)));
-    for(Data_array_3& array : m_body.soup.point_data)
-      for(std::size_t i = 0; i < array.number_of_components; ++i)
-      {
-        const auto value = [&](const std::size_t v) { return array.values[v * array.number_of_components + i]; };
-        array.values.push_back(array.has_integers ? value(simplex[0]) : mean(simplex, weights, value));
-      }
-    return Insertion_3{ m_body.soup.points.size() - 1, simplex, cells };
+    m_body.points.push_back(coordinates(point(insertion)));
+    return insertion;
   }
 
 private:
   using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
-  using Weights = boost::container::static_vector<double, 4>;
 
-  Exact_point_3 point(const std::size_t v) const { return exact_point(m_body.soup.points[v]); }
+  Exact_point_3 point(const std::size_t v) const { return exact_point(m_body.points[v]); }
 
-  // Weights of the vertices of a simplex for a point that can become a vertex, as all cells it makes are positive after
-  // rounding: the centroid, or else one up to a third of the way towards a vertex. None if there is no such point.
-  Weights weights_of_point(const Simplex_3& simplex, const std::vector<std::size_t>& cells) const
+  // Sets weights of a point that can become a vertex, as all cells it makes are positive after rounding: of the centroid, or else
+  // of a point up to a third of the way towards a vertex. Returns whether there is such a point.
+  bool set_weights(Insertion_3& insertion) const
   {
     for(const double additional_weight : { 0., 0.125, 0.25, 0.5, 1. })
-      for(std::size_t preferred = 0; preferred < simplex.size(); ++preferred)
+      for(std::size_t preferred = 0; preferred < insertion.simplex.size(); ++preferred)
       {
-        Weights weights(simplex.size(), 1.);
-        weights[preferred] += additional_weight;
-        if(makes_positive_cells(simplex, cells, point(simplex, weights)))
-          return weights;
+        insertion.weights.assign(insertion.simplex.size(), 1.);
+        insertion.weights[preferred] += additional_weight;
+        if(makes_positive_cells(insertion.simplex, insertion.cells, point(insertion)))
+          return true;
       }
-    return {};
+    return false;
   }
 
-  template <typename Value>
-  static double mean(const Simplex_3& simplex, const Weights& weights, const Value& value)
-  {
-    double sum = 0, total_weight = 0;
-    for(std::size_t i = 0; i < simplex.size(); ++i)
-    {
-      sum += weights[i] * value(simplex[i]);
-      total_weight += weights[i];
-    }
-    return sum / total_weight;
-  }
-
-  Exact_point_3 point(const Simplex_3& simplex, const Weights& weights) const
+  Exact_point_3 point(const Insertion_3& insertion) const
   {
     const auto coordinate = [&](const int i)
-    { return m_body.point_type.rounded(mean(simplex, weights, [&](const std::size_t v) { return m_body.soup.points[v][i]; })); };
+    { return m_body.point_type.rounded(insertion.mean([&](const std::size_t v) { return m_body.points[v][i]; })); };
     return Exact_point_3(coordinate(0), coordinate(1), coordinate(2));
   }
 
@@ -219,7 +193,7 @@ private:
     for(const std::size_t c : cells)
       for(const std::size_t replaced : simplex)
       {
-        const std::array<std::size_t, 4>& cell = m_body.soup.cells[c];
+        const std::array<std::size_t, 4>& cell = m_body.cells[c];
         const auto corner = [&](const int i) { return cell[i] == replaced ? p : point(cell[i]); };
         if(!is_positive_cell({ corner(0), corner(1), corner(2), corner(3) })
            && is_positive_cell({ point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3]) }))
@@ -230,7 +204,6 @@ private:
 
   Body_3& m_body;
   Incident_simplices_3<4> m_cells;
-  Incident_simplices_3<3> m_facets;
   Incident_simplices_3<2> m_edges;
   std::vector<Edge> m_boundary_edges;
 };
@@ -257,9 +230,9 @@ inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<st
 // Splits the edges inside at all points of the boundary: each gets vertices of its own inside.
 inline std::vector<Insertion_3> split_edges_at_boundary_3(Body_3& body)
 {
-  const std::vector<bool> is_on_boundary = used_points(body.boundary, body.soup.points.size());
+  const std::vector<bool> is_on_boundary = used_points(body.boundary, body.points.size());
   std::vector<std::array<std::size_t, 2> > edges;
-  for(const std::array<std::size_t, 4>& cell : body.soup.cells)
+  for(const std::array<std::size_t, 4>& cell : body.cells)
     for(const std::size_t v : cell)
       for(const std::size_t w : cell)
         if(v < w && (is_on_boundary[v] || is_on_boundary[w]))
@@ -285,10 +258,10 @@ inline std::optional<std::vector<Insertion_3> > split_any_edges_3(Body_3& body,
   }
   if(!result.empty())
   {
-    Body_3 refined = body_of(std::move(body.soup));
-    body.soup = std::move(refined.soup);
-    body.boundary = std::move(refined.boundary);
-    body.sides = std::move(refined.sides);
+    Body_3 refined = body_of_arrays(std::move(body.points), std::move(body.cells), std::move(body.edges));
+    refined.point_type = body.point_type;
+    refined.image_type = body.image_type;
+    body = std::move(refined);
   }
   return result;
 }

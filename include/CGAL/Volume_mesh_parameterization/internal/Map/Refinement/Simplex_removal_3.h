@@ -138,7 +138,7 @@ public:
   // If the budget does not suffice to find all bad simplices, nothing is inserted.
   std::vector<Insertion_3> run(const Budget& budget)
   {
-    for(std::size_t c = 0; c < m_body.soup.cells.size() && !budget.is_exhausted(); ++c)
+    for(std::size_t c = 0; c < m_body.cells.size() && !budget.is_exhausted(); ++c)
       collect_candidates(m_refinement.cell(c));
 
     std::vector<Insertion_3> result;
@@ -224,7 +224,7 @@ private:
 inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
                                                             const Budget& budget)
 {
-  const std::vector<bool> is_fixed = fixed_points(body, prescription);
+  const std::vector<bool> is_fixed = prescription.fixed_points();
   const Degenerate_simplices_3 is_bad(body, is_fixed, prescription.targets, prescription.conditions);
   return Simplex_removal_3(body, is_bad).run(budget);
 }

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -186,19 +186,19 @@ void insert_vertices(C3t3& c3t3, Body_of_complex_3<C3t3>& body, const std::vecto
       simplex.push_back(body.vertices[v]);
     std::vector<typename C3t3::Cell_handle> cells;
     for(const std::size_t c : insertion.cells)
-      cells.push_back(body.cells[c]);
+      cells.push_back(body.cells_of_complex[c]);
 
     Vertex_insertion_3<C3t3> in_complex(c3t3, simplex, cells);
-    body.vertices.push_back(in_complex.insert(exact_point(body.soup.points[insertion.point])));
+    body.vertices.push_back(in_complex.insert(exact_point(body.points[insertion.point])));
     // in the order of `Incident_simplices_3::insert()`
     const std::vector<typename C3t3::Cell_handle> new_cells = in_complex.new_cells();
     CGAL_assertion(body.vertices.size() == insertion.point + 1);
     CGAL_assertion(new_cells.size() == simplex.size() * cells.size());
     for(std::size_t i = 0; i < new_cells.size(); ++i)
       if(i % simplex.size() == 0)
-        body.cells[insertion.cells[i / simplex.size()]] = new_cells[i];
+        body.cells_of_complex[insertion.cells[i / simplex.size()]] = new_cells[i];
       else
-        body.cells.push_back(new_cells[i]);
+        body.cells_of_complex.push_back(new_cells[i]);
   }
 }
 
@@ -207,8 +207,8 @@ template <typename C3t3>
 std::vector<std::size_t> order_of_cells(const C3t3& c3t3, const Body_of_complex_3<C3t3>& body)
 {
   std::unordered_map<typename C3t3::Cell_handle, std::size_t> numbers;
-  for(std::size_t c = 0; c < body.cells.size(); ++c)
-    numbers.emplace(body.cells[c], c);
+  for(std::size_t c = 0; c < body.cells_of_complex.size(); ++c)
+    numbers.emplace(body.cells_of_complex[c], c);
   std::vector<std::size_t> result;
   for(auto it = c3t3.cells_in_complex_begin(); it != c3t3.cells_in_complex_end(); ++it)
     result.push_back(numbers.at(it));

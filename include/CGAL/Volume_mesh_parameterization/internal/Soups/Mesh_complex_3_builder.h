@@ -7,13 +7,13 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_MESH_COMPLEX_3_BUILDER_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_MESH_COMPLEX_3_BUILDER_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MESH_COMPLEX_3_BUILDER_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MESH_COMPLEX_3_BUILDER_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_of_complex_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 
 #include <set>
 
@@ -182,8 +182,12 @@ private:
   void add_facets()
   {
     const int default_reference = unused_reference(m_soup.facet_references);
-    for(const auto& [facet, reference] : m_matching.marks())
-      add_facet(m_cells[facet / 4], facet_index(facet), reference == 0 ? default_reference : reference);
+    for(std::size_t mark = 0; mark < m_matching.marks().size(); ++mark)
+      if(const std::size_t facet = m_matching.marks()[mark]; facet != Facet_matching_3::none)
+      {
+        const int reference = m_soup.facet_references[mark];
+        add_facet(m_cells[facet / 4], facet_index(facet), reference == 0 ? default_reference : reference);
+      }
     for(Cell_handle cell : m_cells)
       for(int i = 0; i < 4; ++i)
         if(!m_c3t3.is_in_complex(cell, i)
@@ -244,4 +248,4 @@ private:
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_MESH_COMPLEX_3_BUILDER_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MESH_COMPLEX_3_BUILDER_H

@@ -1,0 +1,203 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENTRY_NAMED_PARAMETERS_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENTRY_NAMED_PARAMETERS_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
+
+#include <CGAL/property_map.h>
+
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+// The only place that reads the named parameters of a map.
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Reads the named parameters of a map that are not about vertices.
+template <typename ConcurrencyTag, typename NamedParameters>
+Map_options_3 map_options_3(const NamedParameters& np)
+{
+  Map_options_3 options;
+  options.verbose = parameter_or(np, internal_np::verbose, false);
+  options.mode = parameter_or(np, internal_np::boundary_mode, Boundary_mode::AUTO);
+  options.soft = parameter_or(np, internal_np::soft_boundary_parameters,
+    options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
+  options.refinement = parameter_or(np, internal_np::refinement_mode, options.refinement);
+  options.do_slide = parameter_or(np, internal_np::do_slide_boundary, options.do_slide);
+  options.use_volume_weights = parameter_or(np, internal_np::use_volume_weights, options.use_volume_weights);
+  options.use_regular_references = parameter_or(np, internal_np::use_regular_references, options.use_regular_references);
+  if(options.use_regular_references)
+    options.mode = Boundary_mode::FIXED; // a soft boundary starts from the source
+  options.is_parallel = is_parallel<ConcurrencyTag>();
+  options.energy_tolerance = parameter_or(np, internal_np::energy_tolerance, options.energy_tolerance);
+  const double bound = parameter_or(np, internal_np::maximum_angle_distortion, options.maximum_angle_distortion);
+  options.minimize_maximum_angle_distortion = bound == least_angle_distortion;
+  if(!options.minimize_maximum_angle_distortion)
+    options.maximum_angle_distortion = bound;
+  if constexpr(has_conditions<NamedParameters>
+               || !parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value
+               || !parameters::is_default_parameter<NamedParameters, internal_np::maximum_angle_distortion_t>::value)
+    options.improve = &slide_and_bound_angles_3;
+  require(options.energy_tolerance >= 0, "energy_tolerance must not be negative.");
+  require(bound >= least_angle_distortion, "maximum_angle_distortion must be least_angle_distortion, which is 2, or larger.");
+  require(options.soft.weight > 0 && std::isfinite(options.soft.weight),
+          "weight of soft_boundary_parameters must be positive and finite.");
+  require(options.soft.weight_factor > 1 && std::isfinite(options.soft.weight_factor),
+          "weight_factor of soft_boundary_parameters must be finite and larger than 1.");
+  for(const double tolerance : { options.soft.residual_tolerance, options.soft.energy_tolerance,
+                                 options.soft.relative_energy_tolerance, options.soft.step_tolerance,
+                                 options.soft.gradient_tolerance })
+    require(tolerance >= 0, "The tolerances of soft_boundary_parameters must not be negative.");
+  return options;
+}
+
+// Returns the maximal number of Newton steps of each stage.
+template <typename NamedParameters>
+std::size_t number_of_iterations_3(const NamedParameters& np)
+{
+  const auto number_of_iterations = parameter_or(np, internal_np::number_of_iterations, 1000);
+  const double number = static_cast<double>(number_of_iterations);
+  require(number >= 0 && std::isfinite(number), "number_of_iterations must be finite and not negative.");
+  constexpr std::size_t largest = (std::numeric_limits<std::size_t>::max)();
+  return number < static_cast<double>(largest) ? static_cast<std::size_t>(number_of_iterations) : largest;
+}
+
+// The problem of a map that named parameters describe, with what it refers to: energy, solver and limits. The time begins here.
+template <typename ConcurrencyTag, typename NamedParameters>
+class Named_problem_3
+{
+public:
+  explicit Named_problem_3(const NamedParameters& np, const Communicator_3& communicator = single_process())
+    : m_options(map_options_3<ConcurrencyTag>(np)),
+      m_energy(parameters::choose_parameter<Energy>(parameters::get_parameter(np, internal_np::energy))),
+      m_cell_energy(cell_energy_3(m_energy)),
+      m_solver(parameters::choose_parameter(parameters::get_parameter_reference(np, internal_np::solver_traits),
+                                            m_default_solver)),
+      m_linear_solver(m_solver), m_limits(np),
+      m_progress(m_limits.budget(), number_of_iterations_3(np),
+                 [this](const Parameterization_step& step) { return after_step(step); }, communicator)
+  {
+    check_named_parameters<internal_np::boundary_map_t, internal_np::boundary_mode_t, internal_np::boundary_parameterizer_t,
+                           internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
+                           internal_np::initial_map_t, internal_np::maximum_angle_distortion_t,
+                           internal_np::number_of_iterations_t, internal_np::positional_constraints_t,
+                           internal_np::refinement_mode_t, internal_np::soft_boundary_parameters_t,
+                           internal_np::solver_traits_t, internal_np::use_regular_references_t,
+                           internal_np::use_volume_weights_t, internal_np::verbose_t, internal_np::vertex_condition_t,
+                           internal_np::vertex_is_constrained_t>(np);
+    if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::verbose_t>::value)
+      if(m_options.verbose)
+        print(check_derivatives(m_energy));
+  }
+
+  Named_problem_3(const Named_problem_3&) = delete;
+  Named_problem_3& operator=(const Named_problem_3&) = delete;
+
+  Map_problem_3 problem() { return { m_options, m_cell_energy, m_linear_solver, m_progress }; }
+
+private:
+  using Energy = typename internal_np::Lookup_named_param_def<internal_np::energy_t, NamedParameters, Stretch_energy_3>::type;
+  using Default_solver = Conjugate_gradient_solver_traits_3<ConcurrencyTag>;
+  using Solver = Mutable_parameter<typename internal_np::Lookup_named_param_def<
+    internal_np::solver_traits_t, NamedParameters, Default_solver>::reference>;
+
+  bool after_step(const Parameterization_step& step)
+  {
+    if(m_options.verbose)
+      print(step);
+    return m_limits.visitor().after_step(step);
+  }
+
+  const Map_options_3 m_options;
+  const Energy m_energy;
+  decltype(cell_energy_3(std::declval<const Energy&>())) m_cell_energy;
+  Default_solver m_default_solver;
+  Solver m_solver;
+  Linear_solver_of<std::remove_reference_t<Solver> > m_linear_solver;
+  Limits<NamedParameters> m_limits;
+  Progress_3 m_progress;
+};
+
+template <typename NamedParameters>
+constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
+
+// Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
+template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
+Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
+                              const VertexOfPoint& vertex)
+{
+  const std::size_t number_of_points = body.points.size();
+  const std::vector<bool> has_cell = used_points(body.cells, number_of_points);
+
+  Prescription_3 result;
+  result.extend_to(number_of_points);
+  if constexpr(has_conditions<NamedParameters>)
+  {
+    const auto conditions = parameters::get_parameter(np, internal_np::vertex_condition_map);
+    static_assert(Is_map_of<std::remove_const_t<decltype(conditions)>, Vertex>::value,
+                  "vertex_condition_map must be a property map of vertices, whose values are Vertex_condition_3.");
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
+                  && parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value,
+                  "vertex_condition_map replaces vertex_is_constrained_map and do_slide_boundary: pass one of them.");
+    result.conditions.resize(number_of_points);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.conditions[p] = get(conditions, vertex(p));
+  }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+  {
+    const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.is_constrained[p] = get(is_constrained, vertex(p));
+  }
+  set_prescribed_points(body, result);
+  for(std::size_t p = 0; p < number_of_points; ++p)
+    if(has_cell[p] && result.is_prescribed[p])
+    {
+      const std::array<double, 3> point = coordinates(target(p));
+      result.targets[p] = body.image_type.rounded_point(result.conditions.empty() ? point
+                                                                                  : completed_target(point, result.conditions[p]));
+    }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
+  {
+    const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
+    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
+                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+    result.initial.resize(number_of_points);
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        result.initial[p] = coordinates(get(initial_map, vertex(p)));
+  }
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value)
+  {
+    std::unordered_map<Vertex, std::size_t> points;
+    for(std::size_t p = 0; p < number_of_points; ++p)
+      if(has_cell[p])
+        points.emplace(vertex(p), p);
+    const std::vector<Linear_constraint_3<Vertex> >& constraints
+      = parameters::get_parameter(np, internal_np::positional_constraints);
+    for(const Linear_constraint_3<Vertex>& constraint : constraints)
+    {
+      result.constraints.push_back({ {}, constraint.value });
+      for(const auto& term : constraint.terms)
+        result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
+    }
+  }
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_ENTRY_NAMED_PARAMETERS_3_H
