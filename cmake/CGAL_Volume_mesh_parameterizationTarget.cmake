@@ -54,7 +54,7 @@ endfunction()
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Triangulated_surface_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <array>

@@ -12,16 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <Eigen/Core>
-
-#include <array>
-#include <cstddef>
-#include <vector>
+#include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Boundary of a body as plain arrays: the seam between complexes of any type and maps of their boundaries, which are
 // compiled once.
+// Boundary of a body, with points of its own.
 struct Numbered_surface_3
 {
   std::vector<Eigen::Vector3d> points;
@@ -31,6 +29,16 @@ struct Numbered_surface_3
   const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // cells of the body, by its points
 };
 
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, Error_code status);
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_NUMBERED_SURFACE_3_H

@@ -7,12 +7,12 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SURFACE_OF_BODY_3_IMPL_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SURFACE_OF_BODY_3_IMPL_H
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_NUMBERED_SURFACE_3_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_NUMBERED_SURFACE_3_IMPL_H
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
@@ -59,4 +59,4 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const 
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SURFACE_OF_BODY_3_IMPL_H
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_NUMBERED_SURFACE_3_IMPL_H
