@@ -55,8 +55,7 @@ template <typename Energy>
 Derivative_errors_3 check_derivatives(const Energy& energy)
 {
   using Vector = Eigen::Matrix<double, 3, 1>;
-  // samples are away from 1, where many energies have their minimum and all gradients are small, at equal values, and
-  // not at round numbers, where functions may change their formula
+  // samples avoid 1, where gradients vanish, and round numbers, where formulas may change; some are equal
   static constexpr std::array<std::array<double, 3>, 6> samples
     = { { { 1.71, 1.13, 0.57 }, { 2.47, 0.93, 0.41 }, { 0.83, 0.61, 0.53 },
           { 1.89, 1.63, 1.31 }, { 1.43, 1.43, 0.71 }, { 1.19, 1.19, 1.19 } } };

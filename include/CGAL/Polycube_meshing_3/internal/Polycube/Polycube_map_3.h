@@ -217,7 +217,7 @@ private:
     for(std::size_t c = 0; c < faces.size() && !budget.is_exhausted(); ++c)
     {
       const auto [u, v] = m_charts.plane_axes(c);
-      if(m_relaxations[c] && m_relaxations[c]->has_border(m_is_held, m_images))
+      if(m_relaxations[c] && m_relaxations[c]->was_made_for(m_is_held, m_images))
         m_relaxations[c]->write(m_images);
       else
         m_relaxations[c].emplace(m_mesh, faces[c], m_is_held, u, v, m_images);

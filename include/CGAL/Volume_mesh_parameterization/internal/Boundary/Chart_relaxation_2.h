@@ -64,21 +64,21 @@ public:
     write(images);
   }
 
-  // Returns whether the coordinates that are held are those of this map, and where they are here.
-  bool has_border(const Held_coordinates& is_held, const std::vector<Eigen::Vector3d>& images) const
+  // Returns whether this relaxation was made for these held coordinates, at their places.
+  bool was_made_for(const Held_coordinates& is_held, const std::vector<Eigen::Vector3d>& images) const
   {
     for(std::size_t i = 0; i < m_unknown.size(); ++i)
       for(const int axis : { 0, 1 })
       {
         const auto v = m_chart.vertices[i];
         const int k = axis == 0 ? m_u : m_v;
-        if(is_held[v][k] != (m_unknown[i][axis] < 0) || (is_held[v][k] && images[v][k] != m_images(axis, i)))
+        if(is_held[v][k] != holds(i, axis) || (is_held[v][k] && images[v][k] != m_images(axis, i)))
           return false;
       }
     return true;
   }
 
-  // Moves the vertices, but once for all.
+  // Moves the vertices; only the first call does so.
   void run(std::vector<Eigen::Vector3d>& images, const Budget& budget)
   {
     if(std::exchange(m_is_relaxed, true))
@@ -116,6 +116,8 @@ private:
 
   struct State { double energy, smallest_determinant; };
 
+  bool holds(const std::size_t v, const int axis) const { return m_unknown[v][axis] < 0; }
+
   // Maps each coordinate for itself; with one factorization if the same vertices are held.
   void move_to_harmonic_map()
   {
@@ -124,8 +126,8 @@ private:
     for(int axis = 0; axis < 2; ++axis, was_held = is_held)
     {
       is_held.clear();
-      for(const std::array<int, 2>& unknown : m_unknown)
-        is_held.push_back(unknown[axis] < 0);
+      for(std::size_t v = 0; v < m_unknown.size(); ++v)
+        is_held.push_back(holds(v, axis));
       if(is_held != was_held)
         extension.emplace(m_chart, is_held);
       VectorXd values = m_images.row(axis).transpose();
@@ -166,7 +168,7 @@ private:
     Columns_2 direction = Columns_2::Zero(2, m_images.cols());
     for(std::size_t v = 0; v < m_unknown.size(); ++v)
       for(int axis = 0; axis < 2; ++axis)
-        if(m_unknown[v][axis] >= 0)
+        if(!holds(v, axis))
           direction(axis, v) = solution[m_unknown[v][axis]];
     for(double length = 1; length > 1e-12; length /= 2)
     {

@@ -67,7 +67,7 @@ public:
     }
   }
 
-  // Removes what only cells of a higher order have.
+  // Removes mid-edge nodes.
   void finish()
   {
     require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "meshio convert");

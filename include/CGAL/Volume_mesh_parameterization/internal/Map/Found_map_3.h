@@ -37,7 +37,7 @@ struct Splits_3
   Matrix3Xd positions;
 };
 
-// A map, how the stages that have led to it ended, and why.
+// Map that stages have found, how they ended, and why.
 struct Found_map_3
 {
   Map_3 map;
@@ -61,7 +61,7 @@ struct Found_map_3
   { return is_stuck() || status == ERROR_BOUNDARY_NOT_REACHED || (status == ERROR_NOT_CONVERGED && !map.meets_boundary); }
 };
 
-// Where a search for a map starts, and what the searches before the last refinements have come to.
+// Start of a search for a map, and what the searches before the last refinements have reached.
 struct Search_start_3
 {
   enum class Stage { NONE, UNTANGLING, SOFT_BOUNDARY };
@@ -78,12 +78,12 @@ struct Search_start_3
   bool may_split = false;           // may edges be split after the search?
   std::size_t patience = (std::numeric_limits<std::size_t>::max)(); // raises in vain, one after the other, that end it
 
-  // After two rounds in vain, a guess, cells that untangling leaves inverted are left to the soft boundary.
+  // Returns whether the cells that untangling leaves inverted are left to the soft boundary: after two rounds in vain, a guess.
   bool has_given_up_splits() const { return number_of_vain_rounds >= 2; }
   bool may_split_inverted_cells() const { return may_split && !has_given_up_splits(); }
 };
 
-// The parts of the seam of the map, for a mesh of which each process has a part.
+// The parts of the seam of the map, which processes that share a mesh call one by one.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
                        const Search_start_3& start = Search_start_3());

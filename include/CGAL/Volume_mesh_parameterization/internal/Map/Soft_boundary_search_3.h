@@ -134,8 +134,9 @@ private:
     minimize(positions());
   }
 
-  // Has the last raise of the weight been useless? It was if the vertex farthest from its target has not followed, or if
-  // for two raises as many cells as before keep vertices from their targets. The first raises only bring the boundary near.
+  // Returns whether several raises of the weight in a row were useless. A raise is useless if the largest distance to a target has
+  // hardly fallen, or if two raises have not lowered the number of cells that keep vertices from their targets. The first raises
+  // only bring the boundary near, and do not count.
   bool is_blocked()
   {
     constexpr std::size_t number_of_first_raises = 3; // a guess

@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Untangles and, unless vertices are going to slide anyway, minimizes: with the prescribed vertices on their targets. If cells are
-// too flat for the linear solver, they move before all others.
+// Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide anyway. If cells are too flat
+// for the linear solver, their vertices move before all others.
 inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                   const Search_start_3& start)
 {
@@ -41,8 +41,8 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
   return found;
 }
 
-// Inverts no cell from the beginning: the boundary approaches its targets. As soon as it can be put there without an
-// inverted cell, the minimization continues with fixed boundary.
+// Finds a map whose boundary approaches its targets, and inverts no cell from the beginning. As soon as the boundary can be put on
+// its targets without an inverted cell, the minimization continues with fixed boundary.
 inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                  const Search_start_3& start)
 {
@@ -84,8 +84,8 @@ inline Found_map_3 find_map_with_soft_boundary_3(const Numbered_mesh_3& mesh, co
   return found;
 }
 
-// Calls the stages that are allowed, one after the other, from numbered arrays to the images of their vertices. Only here
-// it is decided whether the search was interrupted: it was if time is over while more is wanted, or has ended a stage.
+// Calls the allowed stages one after the other. Decides alone whether the search was interrupted: it was if the limit of time
+// has ended a loop, or if time is over and more is wanted.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
                        const Search_start_3& start)
@@ -110,7 +110,7 @@ Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, 
   if(found.map.is_solution() && found.status != ERROR_LINEAR_SOLVER_FAILED && problem.options.improve != nullptr)
     found = problem.options.improve(mesh, problem, std::move(found));
   const bool is_more_wanted = !found.map.is_valid() || (start.may_split && found.is_blocked());
-  if(is_more_wanted ? progress.is_interrupted() : progress.was_interrupted())
+  if(progress.has_ended_a_loop() || (is_more_wanted && progress.is_interrupted()))
   {
     found.status = ERROR_INTERRUPTED;
     found.reason.clear(); // of a stage that was ended

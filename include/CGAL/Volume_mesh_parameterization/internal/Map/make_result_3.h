@@ -21,7 +21,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// How it ended, by the exact verdict on the map.
+// Returns how the search ended, by the exact verdict on its map.
 inline Error_code final_status(const Found_map_3& found)
 {
   if(found.status == ERROR_INTERRUPTED)
@@ -32,7 +32,7 @@ inline Error_code final_status(const Found_map_3& found)
                                                                                                    : ERROR_NOT_FLIP_FREE;
 }
 
-// Why it did not end better: what the last stage says, or the stage with fixed boundary, or the check of the input.
+// Returns why the search did not end better: the reason of the last stage, of the stage with fixed boundary, or of the check.
 inline std::string reason_of(const Error_code status, const Found_map_3& found, const Input_check_3& check)
 {
   if(status == OK || (status == ERROR_NOT_CONVERGED && found.reason.empty()))
@@ -43,7 +43,7 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
   return reason.empty() ? "" : " " + reason;
 }
 
-// By how much the boundary is missed, where most, and what can be done.
+// Returns sentences on how far the boundary is from its targets, where most, and on the remedy.
 inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
                                             const bool is_refinable)
 {
@@ -81,7 +81,7 @@ Parameterization_result refused_result(const Input_check_3& check, const Progres
   return result;
 }
 
-// The result of a search without its counts of the complex: the only place where it is written.
+// Returns the result of a search, without counts of the complex. No other place writes it.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Found_map_3& found,
                                       const Map_problem_3& problem)

@@ -56,9 +56,9 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
 }
 
 // Judges, every five steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
-// tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, hardly at all: nothing that
-// one sees is gained any more. Where a few cells hold most of the energy, it may also fall for these cells alone: then the
-// mean of the logarithms, in which these cells count as little as others, has not become notably lower for a hundred steps.
+// tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, has hardly fallen. If few cells
+// hold most of the energy, it may fall for these cells alone. The mean of the logarithms, in which they count like others,
+// shows this: it has not become notably lower for a hundred steps.
 class Gain_3
 {
 public:
@@ -94,8 +94,8 @@ public:
     return result;
   }
 
-  // The status with which to end, if it is time: OK if nothing is gained, and ERROR_NOT_CONVERGED if a few cells are
-  // dominant and nothing is gained, or for them alone.
+  // Returns the status with which to end, or nothing: OK if nothing is gained, and ERROR_NOT_CONVERGED if few cells dominate the
+  // energy and all others gain nothing.
   std::optional<Error_code> status_of_end(const Newton_iterate_3& iterate)
   {
     constexpr std::size_t patience = 100; // a guess; number of steps
@@ -144,7 +144,7 @@ inline Ends_here ends_if_stagnating(const Numbered_mesh_3& mesh, const Map_probl
   { return gain.is_stagnating(iterate) ? std::optional(OK) : std::nullopt; };
 }
 
-// The images of the vertices that no chosen cell has are unknown.
+// Returns the unknowns that are vertices of no chosen cell.
 inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns,
                                          const std::vector<std::size_t>& cells)
 {
@@ -155,10 +155,10 @@ inline Unknowns_3 unknowns_without_cells(const Numbered_mesh_3& mesh, const Unkn
   return unknowns.without([&](const int v) { return is_chosen[v]; });
 }
 
-// Minimizes over the free vertices, from a map without inverted cells on. Where the prescribed vertices make a few cells
-// so flat that they hold most of the energy, these crawl along curved valleys for thousands of steps, their stiffness
-// keeps all others from their minimum, and a minimum up to a part of their energy is none for the others. Then the search
-// is over as soon as the energy stagnates or falls for them alone, and the others are minimized alone, in the same way.
+// Minimizes over the free vertices, from a map without inverted cells on. Prescribed vertices may make a few cells so flat that
+// they hold most of the energy. Such cells crawl along curved valleys for thousands of steps, and their stiffness keeps the
+// others from their minimum. Then the minimization ends as soon as the energy stagnates, or falls for these cells alone.
+// A second minimization moves the vertices of no such cell.
 inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& problem, Found_map_3 found)
 {
   const Numbered_mesh_3& mesh = system.mesh();
@@ -194,10 +194,8 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
   progress.begin_attempt("minimization apart from dominant cells");
   take(minimize_energy_3(rest, problem.energy, whole.positions, progress, Negative_curvature(),
                          ends_if_stagnating(mesh, problem), negligible_gain));
-  if(is_minimum && found.status == ERROR_NOT_CONVERGED)
-    found.status = OK; // of the energy as a whole
-  if(has_crawled && found.status == OK)
-    found.status = ERROR_NOT_CONVERGED;
+  if(found.status == OK || found.status == ERROR_NOT_CONVERGED)
+    found.status = is_minimum ? OK : ERROR_NOT_CONVERGED; // of the energy as a whole, which crawled if it has no minimum
   if(found.status == ERROR_NOT_CONVERGED)
     found.reason = gain.describe_dominant_cells();
   return found;

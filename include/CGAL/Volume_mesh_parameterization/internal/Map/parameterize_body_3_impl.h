@@ -104,8 +104,8 @@ inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3&
   return result;
 }
 
-// Refuses an energy that falls without end as a body with free boundary grows or shrinks: whose lowest value along a line of
-// similar cells, which are neither regular nor far from it, is at an end of the line.
+// Refuses an energy that falls without end as a body with free boundary grows or shrinks. Evaluates it for similar cells of many
+// sizes, nearly regular: the lowest value must not be at the first or last size.
 inline Input_check_3 check_energy_3(const Cell_energy_3& energy)
 {
   std::vector<Vector_3> s;
@@ -149,7 +149,7 @@ inline Found_map_3 find_map_of_body_3(const Checked_body_3& body, const Map_prob
 inline std::size_t number_of_marks(const std::vector<bool>& is_marked)
 { return static_cast<std::size_t>(std::count(is_marked.begin(), is_marked.end(), true)); }
 
-// The result where the time was over before the numbering, which takes about as long as a step.
+// Returns the map if the time was over before the numbering, which takes about as long as a step: none.
 inline Body_map_3 interrupted_map(const Body_3& body, const Progress_3& progress)
 {
   Parameterization_result result
@@ -212,9 +212,9 @@ inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const st
   return split_edges_3(body, edges_of_points);
 }
 
-// Refines a body where the targets make cells degenerate, and in bridges where this helps; then searches, and refines where the
-// search was blocked, in turn. More new points than a tenth would mean that this does not help; a small body may need many in
-// proportion. Nothing is refined any more once a limit of time is reached.
+// Refines a body where the targets make cells degenerate, and bridges if this helps. Then searches, and refines where the search
+// was blocked, in turn. If splits have added a tenth of the points, they do not help; a small body may need more. After a limit of
+// time, nothing is refined.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription, const Map_problem_3& problem,
                                           std::vector<Insertion_3> insertions)

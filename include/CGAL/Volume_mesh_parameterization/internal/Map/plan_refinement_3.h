@@ -17,7 +17,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The edges to split, if they are interior ones, in the order of the user's cells; and where the next search starts.
+// Edges to split, those inside of them, in the order of the user's cells; and the start of the next search.
 struct Refinement_plan_3
 {
   Edges_3 edges;
@@ -41,7 +41,7 @@ inline std::vector<std::array<int, 2> > edges_of_cells(const Numbered_mesh_3& me
   return result;
 }
 
-// Splits the edges found, and continues from there. After rounds in vain, gives up and splits nothing.
+// Plans to split the edges that untangling has found, and to continue from its map. After rounds in vain, nothing is split.
 inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_start_3& before)
 {
   const std::size_t number = found.map.number_of_inverted_cells;
@@ -58,9 +58,9 @@ inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_st
   return plan;
 }
 
-// The cells that keep the prescribed vertices farthest from their targets away from there: not positive if all prescribed
-// vertices were put on their targets, and with a vertex more than half as far from it as any of these cells has.
-// What keeps the others away often resolves itself once these cells give way.
+// Returns the cells that block the boundary most. A cell blocks it if it were not positive with all prescribed vertices on their
+// targets. Of these cells, those count that have a vertex at more than half of the largest distance to its target: once they give
+// way, the others often do so, too.
 inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions)
 {
   const Matrix3Xd at_targets = snapped(mesh, positions);
@@ -81,9 +81,9 @@ inline std::vector<std::size_t> blocking_cells_3(const Numbered_mesh_3& mesh, co
   return result;
 }
 
-// Chooses the cells that keep the boundary from its targets; or, where these are fewer, those that the fixed boundary has
-// left inverted, to try it again, unless that has been given up. The soft boundary continues, unless the last refinement has
-// hardly helped: then it is better to start all again as well; if several have not helped, nothing is split.
+// Plans to split the edges of the cells that block the boundary, or, if these are fewer, of the cells that the fixed boundary has
+// left inverted. The soft boundary continues from its map; if the last refinement has hardly helped, all starts anew. If several
+// refinements have not helped, nothing is split.
 inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Found_map_3& found,
                                            const Search_start_3& before)
 {
@@ -119,9 +119,8 @@ inline Refinement_plan_3 plan_refinement_3(const Numbered_mesh_3& mesh, const Fo
   return plan;
 }
 
-// Renumbers the positions of a start after a refinement, in which new points are midpoints unless the plan has images of
-// them, too; `points_before` are those of the vertices until then. Where rounding at one of them has spoilt the images, the
-// soft boundary starts anew.
+// Renumbers the positions of a start after a refinement. `points_before` are the points of the vertices before it. New vertices
+// have the images of the plan, or else those of midpoints. If rounding there inverts a cell, the soft boundary starts anew.
 inline Search_start_3 renumbered_start_3(const Refinement_plan_3& plan, const std::vector<std::size_t>& points_before,
                                          const std::vector<Insertion_3>& insertions, const Numbered_body_3& after)
 {

@@ -25,8 +25,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline double spacing(const Coordinate_type& type, const Vector_3& p)
 { return std::ldexp(type.epsilon, std::ilogb((std::max)(p.cwiseAbs().maxCoeff(), (std::numeric_limits<double>::min)()))); }
 
-// Moves free vertices of a small mesh by up to two spacings of a narrow type in each coordinate. Each move lowers the number
-// of cells around the vertex that are not positive, or else raises the smallest of their volumes; so no state comes twice.
+// Moves free vertices of a small mesh by up to two spacings of a narrow type in each coordinate. Each move lowers the number of
+// cells around the vertex that are not positive, or raises their smallest volume. Therefore, no state is repeated.
 class Rounding_search_3
 {
 public:
@@ -111,8 +111,8 @@ inline Matrix3Xd rounded_positions_3(const Numbered_mesh_3& mesh, const Coordina
   return result;
 }
 
-// Rounds a map to the type in which the user stores images, and judges what is left of it: what is written is what is checked.
-// Targets have been rounded before the search.
+// Rounds a map to the type in which the user stores images, and checks it again: the written map is the checked one. Targets have
+// been rounded before the search.
 inline void round_map_3(const Numbered_mesh_3& mesh, const Coordinate_type& type, const Map_problem_3& problem,
                         Found_map_3& found)
 {

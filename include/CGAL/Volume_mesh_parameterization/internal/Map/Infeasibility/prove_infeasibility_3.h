@@ -208,11 +208,10 @@ inline std::vector<std::size_t> cells_among(const Cells_of_free_ends& cells_of, 
   return result;
 }
 
-// Proves, where it can, that no map with the prescribed vertices has only positive cells. Three kinds of reasons are looked
-// for: a cell that can never be positive, a free vertex and an edge between two of them for which there is no place. Only
-// sets with a suspect are looked at: a cell that is not positive in some image of the vertices, whichever. No proof does
-// not mean that there is a map; with a limited budget, not even that the search was complete. Near-linear in the number of
-// cells.
+// Looks for proofs that no map with the prescribed vertices has only positive cells. There are three kinds: a cell that is never
+// positive, a free vertex without a place, and an edge of two free vertices without one. Only sets of cells with a suspect are
+// examined, a cell that is not positive in some image. Without a proof, there need not be a map, and the budget may have ended the
+// search. The time is nearly linear in the number of cells.
 inline std::vector<Infeasibility_proof_3> prove_infeasibility_3(const Numbered_mesh_3& mesh,
                                                                 const std::vector<std::size_t>& suspects,
                                                                 const Budget& budget = Budget())

@@ -55,8 +55,8 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 { return snapped(mesh, std::move(positions), mesh.projectors); }
 
-// The largest distance of a prescribed vertex to where it may be. Rounding does not count, but in directions along the axes
-// there is none.
+// Returns the largest distance of a prescribed vertex to its target, plane, line or surface. Errors of rounding count as 0; along the axes,
+// there are none.
 inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors,
                                   const std::vector<Vertex_condition_3>& surfaces = {})
 {
@@ -83,7 +83,7 @@ inline Found_cells inverted_cells(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   return find_cells(mesh, [&](const std::array<int, 4>& cell) { return !is_positive(positions, cell); });
 }
 
-// The images of all vertices, with the verdict of exact predicates on them.
+// Images of all vertices, with the verdict of exact predicates on them.
 struct Map_3
 {
   Matrix3Xd positions;

@@ -226,8 +226,8 @@ inline std::vector<double> cell_weights(const Numbered_mesh_3& mesh)
   return result;
 }
 
-// How many cells there are with some property, which of them this process owns, and the first of all in the order of the
-// user, if that is one of these.
+// Cells with some property: their number in all processes, those of this process, and the first one in the order of the user, if
+// this process has it.
 struct Found_cells
 {
   std::size_t number = 0;

@@ -16,16 +16,16 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The cells whose shapes and sizes those of a map are to approach.
+// Cells with which those of the image are compared.
 enum class Reference_cells { SOURCE, REGULAR };
 
-// The cells of a mesh, with the images of its vertices multiplied by a scale, and the source scaled such that both have
-// one volume. The scale is a power of two, so that scaling is exact.
+// Cells of a mesh for images that are multiplied by a scale. The source is scaled to the same volume. The scale is a power of two,
+// which makes its products exact.
 struct Scaled_cells_3
 {
   double scale;
   std::vector<Matrix_3> inverse_sources; // X^{-1} of each cell
-  std::vector<double> weights;                  // how much each cell counts; the sum is 1
+  std::vector<double> weights;                  // of the cells; the sum is 1
 };
 
 // The inverse edge matrices X^{-1} of the cells in the source, times a factor.

@@ -19,9 +19,9 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The similarity that takes points nearest to their images, by the sum of squared distances. Keeps every orientation: the
-// rotation is proper and the scale positive. (The closed form is due to Umeyama 1991.) With a scale, this is taken. Where points
-// leave a rotation open, as those on a line do, it is turned as little as possible if the regularization is not 0.
+// Returns the similarity that takes points nearest to their images, by the sum of squared distances (Umeyama 1991). The rotation
+// is proper and the scale positive; a given scale is kept. Points on a line leave a rotation open. If the regularization is not
+// 0, the smallest one is chosen.
 template <typename Points, typename Images>
 Similarity_3 similarity_of_points_3(const Points& source, const Images& target, const std::optional<double> scale = {},
                                     const double regularization = 0)
@@ -92,9 +92,9 @@ inline std::optional<double> stretch_of_prescribed_edges_3(const Numbered_mesh_3
   return median_ratio(std::move(ratios));
 }
 
-// Returns the least factor by which conditions stretch the body, in the median over their vertices: the largest distance that two
-// conditions keep, divided by that of their vertices in the source. A shell between two planes has a scale by its thickness,
-// however it is curved. Skew lines count as if they met.
+// Returns the least factor by which conditions stretch the body, as a median over their vertices. For each vertex, the largest
+// distance between its condition and another one counts, divided by the distance of the vertices in the source. So the thickness
+// of a shell between two planes gives the scale, however it is curved. Skew lines count as if they met.
 inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3& mesh)
 {
   constexpr int many_vertices = 300; // a guess: of more, some are compared with all
@@ -178,9 +178,9 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
   return squares;
 }
 
-// The similarity that takes the source nearest to what is prescribed. The scale is that of edges between vertices at their
-// targets; without these, that of four vertices at their targets, or of four conditions; otherwise it is 1. If planes and
-// lines leave the body upside down, it is turned over.
+// Returns the similarity that takes the source nearest to what is prescribed. Its scale comes from edges between vertices at their
+// targets, or else from four such vertices, or from four conditions; otherwise it is 1. If planes and lines leave the body upside
+// down, it is turned over.
 inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
 {
   const std::vector<int> fixed = fixed_vertices(mesh);

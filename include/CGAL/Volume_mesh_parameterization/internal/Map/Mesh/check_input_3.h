@@ -39,7 +39,8 @@ struct Input_check_3
 template <typename... Parts>
 Input_check_3 failed_check(const Error_code status, const Parts&... parts) { return { status, sentence(parts...), true }; }
 
-// Points that coincide have no size. The volume of a cell is a product of three lengths, and energies have their fourth powers.
+// Bounds of the diagonal. If all points coincide, it is 0, and the input is refused. The volume of a cell is a product of three
+// lengths, and energies have their fourth powers.
 inline Input_check_3 check_size(const Box_3& box, const char* const name)
 {
   constexpr double smallest = 1e-70, largest = 1e70;

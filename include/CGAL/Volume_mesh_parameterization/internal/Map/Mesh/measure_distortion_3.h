@@ -51,12 +51,12 @@ inline std::vector<Vector_3> singular_values_of_cells_3(const Numbered_mesh_3& m
   { return signed_singular_values_3(edge_matrix(image, cell) * source_edges(mesh, cell).inverse()); });
 }
 
-// By what the singular values of a map are multiplied where its image is scaled to the volume of the source.
-// Where a part of the boundary is free, to that by the scale that is prescribed, as in the energy.
+// Returns the factor of the singular values if the image is scaled to the volume of the source. If a part of the boundary is free,
+// the prescribed scale takes the place of the volume, as in the energy.
 inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
 { return std::cbrt(source_volume(mesh) / (mesh.alignment ? target_volume(mesh) : volume(mesh, image))); }
 
-// The distortions of a map by its singular values in each cell, multiplied by a factor.
+// Returns the distortions of a map by its singular values in each cell, times a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Vector_3>& s,
                                          const double factor = 1)
 {

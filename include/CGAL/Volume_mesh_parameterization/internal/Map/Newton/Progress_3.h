@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Decides before each step of the loops of a computation whether they may continue: the clock, the user and the number of steps
-// limit them. After the step, it gets a report. If several processes share a mesh, all ask together, and get one answer.
+// Decides before each step of a loop whether the loop may continue: the clock, the user and the number of steps limit it. After
+// the step, it gets a report. If several processes share a mesh, all ask together, and get one answer.
 class Progress_3
 {
 public:
@@ -49,7 +49,7 @@ public:
   std::size_t number_of_steps() const { return m_number_of_steps; } // of this stage
 
   void begin_stage() { m_number_of_steps = 0; }
-  void begin_attempt(std::string name) { m_attempt = std::move(name); } // for those who look on
+  void begin_attempt(std::string name) { m_attempt = std::move(name); } // for visitors
 
   bool is_interrupted()
   {
@@ -58,8 +58,8 @@ public:
     return m_is_interrupted;
   }
 
-  // Has is_interrupted() been true for someone who asked?
-  bool was_interrupted() const { return m_is_interrupted; }
+  // Returns whether an answer of is_interrupted() has ended a loop; does not ask the clock.
+  bool has_ended_a_loop() const { return m_is_interrupted; }
 
   bool may_continue() { return m_number_of_steps < m_limit && !is_interrupted(); }
 

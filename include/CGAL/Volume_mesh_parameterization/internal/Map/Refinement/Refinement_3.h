@@ -66,9 +66,9 @@ public:
     return result;
   }
 
-  // Makes a new point, the next one, a vertex of a simplex. Of each simplex around there is one for each of these vertices,
-  // replaced by the new point: the first replaces the old simplex, the others come behind all. Returns the old simplex of each of
-  // these.
+  // Inserts a new point, the next one, into a face. Each simplex around becomes as many parts as the face has vertices; in each of
+  // them, the new point replaces one of these. The first part replaces the simplex, the others are appended. Returns, for each of
+  // these, the simplex that it comes from.
   std::vector<std::size_t> insert(const Simplex_3& face)
   {
     const std::size_t v = m_incident.size();
@@ -140,8 +140,8 @@ public:
     return result;
   }
 
-  // Nothing if the simplex does not exist (any more), is not interior, or has no point that makes positive cells after
-  // rounding.
+  // Inserts a point into an interior simplex. Returns nothing if the simplex does not exist any more, is not interior, or has no
+  // point that makes positive cells after rounding.
   std::optional<Insertion_3> insert(const Simplex_3& simplex)
   {
     const std::vector<std::size_t> cells = cells_around(simplex);

@@ -21,18 +21,19 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Are all vertices prescribed? No new point is.
+// Returns whether all vertices are prescribed. New points are not.
 inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const Simplex_3& simplex)
 {
   return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
   { return v < is_prescribed.size() && is_prescribed[v]; });
 }
 
-// The prescribed simplices that no map with these images of its boundary can map well: conditions keep their vertices in a plane,
-// for a cell, or in that of a facet of the boundary; or their image, the
-// hull of the targets of their vertices, is degenerate, or inverted for a cell; or it begins in the image of the boundary,
-// as an edge does between two vertices of a side of a cube, though cells lie all around the simplex. With a coordinate that
-// is no number there is no image.
+// Tells which simplices no map with these targets can map well. There are three kinds:
+// - conditions keep the vertices of a cell in a plane, or those of an edge or facet in the plane of a facet of the boundary;
+// - the image, the hull of the targets of the vertices, is degenerate, or inverted for a cell;
+// - the image begins in that of the boundary though cells lie all around the simplex, as an edge between two vertices of a side of
+//   a cube.
+// A simplex with a coordinate that is not a number has no image, and is not of these kinds.
 class Degenerate_simplices_3
 {
 public:
@@ -91,7 +92,7 @@ private:
     });
   }
 
-  // At one of the vertices, if it is no simplex of the boundary itself.
+  // Returns whether the image begins in that of the boundary at one of the vertices. Simplices of the boundary do not count.
   bool begins_in_boundary(const Simplex_3& simplex) const
   {
     return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
@@ -220,7 +221,7 @@ private:
   std::priority_queue<Candidate> m_queue;
 };
 
-// Removes those that the targets make degenerate whatever the map is.
+// Removes the simplices that the targets make degenerate whatever the map is.
 inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const Prescription_3& prescription,
                                                             const Budget& budget)
 {

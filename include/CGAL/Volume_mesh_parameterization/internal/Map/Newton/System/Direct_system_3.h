@@ -57,8 +57,8 @@ private:
   std::unique_ptr<Direct_solver_3> m_solver;
 };
 
-// Decides which systems of one pattern are factorized: the one that a solver has not solved as exactly as asked for, if that
-// takes no more multiplications, and twice as many after it as the last time. Then it is the turn of the solver again.
+// Decides which systems of one pattern are factorized. After an inexact solution, the system is factorized if this takes no more
+// multiplications than the iterations. So are the next systems, twice as many as the last time; then the solver has its turn.
 class Direct_turns_3
 {
 public:
@@ -70,7 +70,7 @@ public:
     return *m_system;
   }
 
-  // Takes a turn of the solver into account. Returns whether the system is to be factorized, too.
+  // Counts a turn of the solver, and returns whether its system is to be factorized, too.
   bool takes_over(const Newton_matrix_3& matrix, const bool is_inexact, const std::size_t number_of_iterations)
   {
     constexpr double cost_of_entries = 3; // in multiplications of an iteration, which takes contiguous ones; measured

@@ -18,7 +18,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The solution of a Newton system, and what it is good for.
+// Solution of a Newton system, and the uses that it has.
 struct Newton_direction_3
 {
   Linear_solver_status status = Linear_solver_status::FAILED;
@@ -26,20 +26,21 @@ struct Newton_direction_3
   Matrix3Xd vectors;  // one column a vertex; zero where the vertex is not unknown
   double gradient_norm = 0;
   double slope = 0;          // the derivative of the energy along the direction; minus the squared Newton decrement
-  VectorXd slopes;    // what each row has of it, of this process
-  // about what unknowns gain that move alone; known if the matrix is not positive definite
+  VectorXd slopes;    // the part of each row of this process
+  // about the gain if each unknown moves alone; known if the matrix is not positive definite
   double gain_of_single_vertices = std::numeric_limits<double>::infinity();
 
   double decrement() const { return std::sqrt((std::max)(0., -slope)); }
 
-  // A solution that negative curvature has truncated serves only where there is no matrix of less of it to be tried.
+  // If negative curvature has truncated the solution, it is usable only of a semi-definite matrix: no matrix with less negative
+  // curvature is left to try.
   bool is_usable() const
   {
     return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::ITERATION_LIMIT
         || (status == Linear_solver_status::TRUNCATED && is_of_semidefinite_matrix);
   }
 
-  // Only then the slope measures what is left to gain.
+  // Returns whether the slope measures the gain that is left.
   bool is_exact() const { return status == Linear_solver_status::SUCCESS || status == Linear_solver_status::TRUNCATED; }
 
   // Has the solver failed for another reason than an indefinite matrix?

@@ -123,9 +123,9 @@ public:
     return result;
   }
 
-  // Solves H d = -g, where H keeps the part `negative_curvature` of negative eigenvalues of each cell. An iterative solver
-  // may end early where the budget is exhausted; where it stops at its limit of iterations, or fails by rounding, a direct
-  // solver may take over.
+  // Solves H d = -g, where H keeps the part `negative_curvature` of the negative eigenvalues of each cell. An iterative solver may
+  // end early if the budget is exhausted. If it stops at its limit of iterations, or fails by rounding, a direct solver may take
+  // over.
   Newton_direction_3 direction(const Cell_energy_3& energy, const Positions& u, const double negative_curvature,
                                const double tolerance, const Budget& budget = Budget())
   {
@@ -138,14 +138,14 @@ public:
     const std::size_t iterations_before = m_solver.number_of_own_iterations();
     Newton_direction_3 result = direction_by(*m_system, energy, u, negative_curvature, tolerance, budget);
     const bool is_cut = result.status == Linear_solver_status::ITERATION_LIMIT;
-    // rounding makes a semi-definite matrix indefinite, or infinite, and there is none of less negative curvature to be tried
+    // rounding has made a semi-definite matrix indefinite or infinite, and none with less negative curvature is left to try
     const bool is_lost = !result.is_usable() && negative_curvature == 0 && m_solver.does_iterate();
     return direction_by_factorization_if(is_cut || is_lost, std::move(result), iterations_before, energy, u, negative_curvature,
                                          budget);
   }
 
-  // Returns a direction by the matrix of the last one, which a convex quadratic energy has everywhere. Negative curvature comes
-  // from rounding then, and a truncated solution may lead far away.
+  // Returns a direction by the last matrix, which is right for a convex quadratic energy. Negative curvature is an error of
+  // rounding then, and a truncated solution may lead far away.
   Newton_direction_3 next_direction(const Cell_energy_3& energy, const Positions& u, const double tolerance,
                                     const Budget& budget)
   {
