@@ -1391,6 +1391,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
         "source.mesh target.txt --threads 0", "source.mesh target.txt --threads x",
         "source.mesh target.txt --max-iterations -1", "source.mesh target.txt --output map.obj",
         "source.mesh target.txt --max-angle-distortion 2", "source.mesh target.txt --energy-tolerance -1",
+        "source.mesh target.txt --max-angle-distortion 3 --minimize-max-angle-distortion",
         "source.mesh target.txt --time-limit -1",
         "source.mesh target.txt --to ball", "source.mesh --to", "source.mesh --to none", "source.mesh --to box=1,2",
         "source.mesh --to box=1,2,0", "source.mesh --to box=1,2,3,4", "source.mesh --to box=1:2:3",

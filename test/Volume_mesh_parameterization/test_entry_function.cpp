@@ -921,6 +921,16 @@ TEST_CASE("Messages do not depend on the global locale")
   CHECK(expected[2].find("(1234.5, ") != std::string::npos);
 }
 
+TEST_CASE("With its least value as bound, the distortion of angles is compared with what the boundary forces")
+{
+  Complex stretched(mapped_cube(2, 0, [](const Vector3d& p) { return Vector3d(2 * p[0], p[1], p[2]); }));
+  CHECK(parameterize(stretched, params::maximum_angle_distortion(3)).unavoidable_angle_distortion == 0);
+  const Parameterization_result result = parameterize(stretched, params::maximum_angle_distortion(VMP::least_angle_distortion));
+  CHECK(result.status == VMP::OK);
+  CHECK(result.unavoidable_angle_distortion == Approx(2.5)); // 2 + 1 / 2
+  CHECK(result.distortion.angle_max == Approx(2.5));
+}
+
 TEST_CASE("The vertices that need a target")
 {
   Complex complex(twisted_cube(4));
