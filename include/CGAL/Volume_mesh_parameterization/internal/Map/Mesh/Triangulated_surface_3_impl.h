@@ -54,13 +54,16 @@ inline Vector_3 direction_of(const AABB_trees_3::Kernel::Segment_3& segment) { r
 inline Vector_3 direction_of(const AABB_trees_3::Kernel::Triangle_3& triangle)
 { return Vector_3(to_vector(triangle[1] - triangle[0])).cross(to_vector(triangle[2] - triangle[0])); }
 
-// Triangles or segments with their tree.
+inline Vector_3 scaled(const Vector_3& p, const int exponent)
+{ return p.unaryExpr([&](const double x) { return std::scalbn(x, exponent); }); }
+
+// Triangles or segments with their tree, with coordinates that were divided by a power of two, so that none overflows.
 template <typename Tree, typename Simplex>
 class Simplices_with_tree_3
 {
 public:
-  explicit Simplices_with_tree_3(std::vector<Simplex> simplices)
-    : m_simplices(std::make_shared<const std::vector<Simplex> >(std::move(simplices)))
+  Simplices_with_tree_3(std::vector<Simplex> simplices, const int exponent)
+    : m_simplices(std::make_shared<const std::vector<Simplex> >(std::move(simplices))), m_exponent(exponent)
   {
     auto tree = std::make_shared<Tree>(m_simplices->begin(), m_simplices->end());
     tree->build();
@@ -70,15 +73,17 @@ public:
 
   Surface_point_3 nearest_point(const std::array<double, 3>& p) const
   {
-    if(!Vector_3(p[0], p[1], p[2]).allFinite())
+    constexpr double far_away = 1e50; // where the tree still works; in the unit of the surface
+    const Vector_3 q_scaled = scaled({ p[0], p[1], p[2] }, -m_exponent);
+    if(!(q_scaled.cwiseAbs().maxCoeff() < far_away) || q_scaled.hasNaN())
       return { p, {} };
-    const Simplex& simplex = *m_tree->closest_point_and_primitive(exact_point(p)).second;
+    const Simplex& simplex = *m_tree->closest_point_and_primitive(exact_point(q_scaled)).second;
     Box_3 box;
     for(int i = 0; i < simplex_size; ++i)
       box.extend(to_vector(simplex[i]));
     // a coordinate that all vertices have is met to the bit
-    const Vector_3 q = internal::nearest_point(simplex, to_vector(p)).cwiseMax(box.smallest).cwiseMin(box.largest);
-    const Vector_3 d = direction_of(simplex);
+    const Vector_3 nearest = internal::nearest_point(simplex, q_scaled).cwiseMax(box.smallest).cwiseMin(box.largest);
+    const Vector_3 q = scaled(nearest, m_exponent), d = direction_of(simplex);
     return { { q[0], q[1], q[2] }, { d[0], d[1], d[2] } };
   }
 
@@ -87,6 +92,7 @@ private:
 
   std::shared_ptr<const std::vector<Simplex> > m_simplices;
   std::shared_ptr<const Tree> m_tree;
+  int m_exponent;
 };
 
 using Segments_with_tree_3 = Simplices_with_tree_3<AABB_trees_3::Of_segments, AABB_trees_3::Kernel::Segment_3>;
@@ -148,7 +154,8 @@ inline void check_surface(const std::vector<std::array<double, 3> >& points,
 
 // Builds a tree for the simplices of each number.
 template <typename Tree, typename Simplex>
-std::vector<Any_surface_3> trees_of_groups(const std::vector<Simplex>& simplices, const std::vector<std::size_t>& numbers)
+std::vector<Any_surface_3> trees_of_groups(const std::vector<Simplex>& simplices, const std::vector<std::size_t>& numbers,
+                                           const int exponent)
 {
   std::vector<std::vector<Simplex> > groups;
   for(std::size_t i = 0; i < simplices.size(); ++i)
@@ -158,7 +165,7 @@ std::vector<Any_surface_3> trees_of_groups(const std::vector<Simplex>& simplices
   }
   std::vector<Any_surface_3> result;
   for(const std::vector<Simplex>& group : groups)
-    result.emplace_back(Tree(group));
+    result.emplace_back(Tree(group, exponent));
   return result;
 }
 
@@ -172,14 +179,21 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
 {
   using namespace internal;
   check_surface(points, triangles, features);
+  double largest = 0; // coordinate
+  for(const std::array<double, 3>& p : points)
+    if(is_finite_point(exact_point(p)))
+      largest = (std::max)(largest, Vector_3(to_vector(p)).cwiseAbs().maxCoeff());
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto point = [&](const std::size_t v) { return exact_point(scaled(to_vector(points[v]), -exponent)); };
   std::vector<AABB_trees_3::Kernel::Triangle_3> in_space;
   triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t)
   {
-    const auto p = [&](const int i) { return exact_point(points[t[i]]); };
-    const AABB_trees_3::Kernel::Triangle_3 triangle(p(0), p(1), p(2));
-    if(!triangle.is_degenerate())
+    constexpr double smallest = 1e-280; // squared length of a normal by which the tree can divide
+    const AABB_trees_3::Kernel::Triangle_3 triangle(point(t[0]), point(t[1]), point(t[2]));
+    const bool has_area = direction_of(triangle).squaredNorm() > smallest;
+    if(has_area)
       in_space.push_back(triangle);
-    return triangle.is_degenerate();
+    return !has_area;
   }), triangles.end());
   if(triangles.empty())
     throw Input_error("No triangle of a surface has an area.");
@@ -195,14 +209,14 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
       sets.unite(begin->second[0] / 3, (end - 1)->second[0] / 3);
   });
   const std::vector<std::size_t> patches = sets.numbers();
-  m_patches = trees_of_groups<Triangles_with_tree_3>(in_space, patches);
-  m_surface = m_patches.size() == 1 ? m_patches : std::vector{ Any_surface_3(Triangles_with_tree_3(in_space)) };
+  m_patches = trees_of_groups<Triangles_with_tree_3>(in_space, patches, exponent);
+  m_surface = m_patches.size() == 1 ? m_patches : std::vector{ Any_surface_3(Triangles_with_tree_3(in_space, exponent)) };
 
   const Feature_curves_3 curves(std::move(edges), points);
   std::vector<AABB_trees_3::Kernel::Segment_3> segments;
   for(const auto& [v, w] : curves.edges())
-    segments.emplace_back(exact_point(points[v]), exact_point(points[w]));
-  m_curves = trees_of_groups<Segments_with_tree_3>(segments, curves.curves());
+    segments.emplace_back(point(v), point(w));
+  m_curves = trees_of_groups<Segments_with_tree_3>(segments, curves.curves(), exponent);
 
   std::map<std::size_t, std::set<std::size_t> > patches_of_points;
   for(std::size_t t = 0; t < triangles.size(); ++t)
