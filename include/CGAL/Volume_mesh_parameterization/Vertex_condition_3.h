@@ -30,7 +30,8 @@ given direction, or it slides on a surface or a curve. The value type of the nam
 A vertex at its target has its coordinates to the bit. A plane orthogonal to an axis and a line along an axis prescribe
 coordinates to the bit, too. Other planes and lines, and surfaces and curves, are met within rounding.
 
-A vertex on a surface or a curve first is at its target, which is put on the surface. It slides as soon as no cell is inverted.
+A vertex on a surface or a curve first is at its target, which is put on the surface. It slides after the energy of that boundary
+is minimal.
 */
 class Vertex_condition_3
 {

@@ -27,7 +27,7 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
 {
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
-  if(problem.options.do_slide || !mesh.surfaces.empty())
+  if(problem.options.do_slide)
     return found;
   if(found.status == OK)
     found = minimize_map_3(system, problem, std::move(found));
