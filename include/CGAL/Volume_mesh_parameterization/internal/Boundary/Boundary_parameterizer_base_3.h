@@ -37,7 +37,8 @@ class Boundary_parameterizer_base_3
 {
 public:
   /// writes the image of each vertex of the boundary of a complex.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
+            typename = typename C3t3::Triangulation>
   Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   { return parameterize_complex(Body_of_complex_3<C3t3>(c3t3), target, np, typename Model::Given()); }

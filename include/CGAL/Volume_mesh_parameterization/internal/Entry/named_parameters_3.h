@@ -24,6 +24,9 @@
 // The only place that reads the named parameters of a map.
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+template <typename NamedParameters>
+constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
+
 // Reads the named parameters of a map that are not about vertices.
 template <typename ConcurrencyTag, typename NamedParameters>
 Map_options_3 map_options_3(const NamedParameters& np)
@@ -128,9 +131,6 @@ private:
   Limits<NamedParameters> m_limits;
   Progress_3 m_progress;
 };
-
-template <typename NamedParameters>
-constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
 
 // Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
 template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
