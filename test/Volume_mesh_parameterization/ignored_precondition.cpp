@@ -1,5 +1,5 @@
 // A precondition that is broken without effect, as CGAL_NO_PRECONDITIONS is defined.
-#include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
+#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 
 int main()
 {

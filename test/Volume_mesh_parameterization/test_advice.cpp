@@ -369,7 +369,7 @@ TEST_CASE("Refinement is no advice where it was allowed, and ends where it bring
     for(std::size_t i = 0; i < 3; ++i)
       nearer[v][i] = soup.points[v][i] + 1e-3 * (targets[v][i] - soup.points[v][i]);
   CHECK(has(CGAL::stretch_minimizing_volume_parameterization(coarse, targets, images, np).message,
-            "Allow refinement (refinement_mode(VMP::Refinement_mode::HELPFUL), for a mesh that is not constant), or prescribe"));
+            "Allow refinement (refinement_mode(Refinement_mode::HELPFUL), for a mesh that is not constant), or prescribe"));
   const VMP::Parameterization_result result
     = CGAL::stretch_minimizing_volume_parameterization(soup, targets, images, np.refinement_mode(VMP::Refinement_mode::HELPFUL));
   INFO(result.message);

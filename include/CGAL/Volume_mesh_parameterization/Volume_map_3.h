@@ -71,7 +71,7 @@ public:
             typename CellRange = std::vector<std::array<std::size_t, 4> >,
             typename ImageRange = std::vector<std::array<double, 3> > >
   Volume_map_3(const PointRange& points, const CellRange& cells, const ImageRange& images)
-    : Volume_map_3(Arrays{ internal::coordinates_of(points), internal::indices_of(cells), internal::coordinates_of(images) })
+    : Volume_map_3(checked({ internal::coordinates_of(points), internal::indices_of(cells), internal::coordinates_of(images) }))
   {}
 
   /// returns the image of a point; empty if the point is outside.
@@ -185,8 +185,13 @@ private:
     return { std::move(body.points), std::move(body.cells), internal::points_of(body.vertices, uvw_map) };
   }
 
-  explicit Volume_map_3(const Arrays& map) : m_source(map.points, map.cells), m_target(map.images, map.cells)
-  { internal::require(map.images.size() == map.points.size(), "images must have an element for each point."); }
+  static Arrays checked(Arrays map)
+  {
+    internal::require(map.images.size() == map.points.size(), "images must have an element for each point.");
+    return map;
+  }
+
+  explicit Volume_map_3(const Arrays& map) : m_source(map.points, map.cells), m_target(map.images, map.cells) {}
 
   static std::optional<Location> carried(const std::optional<internal::Point_in_cell_3>& found,
                                          const internal::Cell_locator_3& other)
