@@ -55,8 +55,8 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 { return snapped(mesh, std::move(positions), mesh.projectors); }
 
-// Returns the largest distance of a prescribed vertex to its target, plane, line or surface. Errors of rounding count as 0; along the axes,
-// there are none.
+// Returns the largest distance of a prescribed vertex to its target, plane, line or surface. Errors of rounding count as 0; along
+// the axes, there are none.
 inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors,
                                   const std::vector<Vertex_condition_3>& surfaces = {})
 {
