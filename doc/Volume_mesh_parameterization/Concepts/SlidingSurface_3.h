@@ -6,10 +6,10 @@ A surface or a curve on which vertices slide: see `CGAL::Volume_mesh_parameteriz
 by several threads at the same time.
 
 \cgalHasModelsBegin
-\cgalHasModelsBare{`CGAL::Volume_mesh_parameterization::Any_surface_3`}
-\cgalHasModelsBare{`CGAL::Volume_mesh_parameterization::Implicit_surface_3<Function>`}
-\cgalHasModelsBare{`CGAL::Volume_mesh_parameterization::Surface_intersection_3`}
-\cgalHasModelsBare{`CGAL::Volume_mesh_parameterization::Triangulated_surface_3`}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Any_surface_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Implicit_surface_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Surface_intersection_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Triangulated_surface_3}
 \cgalHasModelsEnd
 */
 class SlidingSurface_3
