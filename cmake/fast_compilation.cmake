@@ -9,9 +9,13 @@ if(${PROJECT_NAME}_COMPILE_FAST)
     target_link_options(${engine} INTERFACE
       "$<BUILD_INTERFACE:LINKER:--whole-archive,$<TARGET_FILE:${engine}>,--no-whole-archive>")
   endforeach()
-  # Compiles what the units share once; the sparse solvers have Eigen by another name.
+  # Compiles what the units of both engines share once; the sparse solvers have Eigen by another name.
   set_target_properties(${PROJECT_NAME}_engine PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   set_source_files_properties(${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  file(CONFIGURE OUTPUT empty_engine.cpp CONTENT "")
+  set_target_properties(CGAL_Polycube_meshing_3_engine PROPERTIES SOURCES ${CMAKE_CURRENT_BINARY_DIR}/empty_engine.cpp)
+  target_sources(${PROJECT_NAME}_engine PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/polycube_engine.cpp)
+  target_compile_definitions(${PROJECT_NAME}_engine PRIVATE CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE)
 endif()
 
 # The headers of CGAL, Eigen and Boost that nearly every program includes take most of the compiler's time.
