@@ -146,7 +146,8 @@ test_optimized()
 # Each reader is a name of one program, and reads files in memory. Its seeds, and what it finds, stay in FOLDER/fuzz.
 fuzz_readers()
 {
-  local build="$folder/fuzz" reader readers=(MEDIT VTU targets.txt targets.csv targets.vtp features conditions)
+  local build="$folder/fuzz" reader
+  local readers=(MEDIT VTU targets.{txt,csv,vtp} surface.{off,stl,obj} features conditions)
   mkdir -p "$build"
   clang++ -std=c++17 -O1 -g -DCGAL_EIGEN3_ENABLED -DCGAL_VOLUME_MESH_PARAMETERIZATION_USE_{ZLIB,LZMA,LZ4} -frounding-math \
     -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I "$root/include" -isystem /usr/include/eigen3 \

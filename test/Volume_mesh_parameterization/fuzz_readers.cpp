@@ -1,5 +1,5 @@
 // Gives the readers of files damaged text by libFuzzer, and checks what they promise for any text. The name of the program is that
-// of a reader: link it as MEDIT, VTU, targets.txt, targets.csv, targets.vtp, features or conditions. `MEDIT FOLDER OPTIONS` writes
+// of a reader, as readers() lists them. `MEDIT FOLDER OPTIONS` writes
 // seeds to the folder, and begins with its files. scripts/test_matrix.sh runs all of them.
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
@@ -77,6 +77,14 @@ void read_targets(const std::string& filename)
   Points targets;
   VMP::IO::read_boundary_targets(filename, cube(), targets);
   expect(targets.size() == cube().points.size(), "there is a target or none for each vertex");
+}
+
+void read_surface(const std::string& filename)
+{
+  const VMP::Tetrahedron_soup_3 soup = VMP::internal::read_surface(filename, VMP::internal::Budget());
+  for(const std::array<std::size_t, 3>& facet : soup.facets)
+    for(const std::size_t v : facet)
+      expect(v < soup.points.size(), "triangles have vertices of the surface");
 }
 
 void read_features(const std::string& filename)
@@ -181,9 +189,18 @@ const std::vector<Reader>& readers()
 <DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 1 1 0</DataArray></Points><Polys>
 <DataArray type="Int64" Name="connectivity" format="ascii">0 2 1</DataArray><DataArray type="Int64" Name="offsets" format="ascii">3
 </DataArray></Polys></Piece></PolyData></VTKFile>)" }, read_targets },
+    { "surface.off",
+      { "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "OFF\n# a square\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n" },
+      read_surface },
+    { "surface.stl",
+      { "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid t\n" },
+      read_surface },
+    { "surface.obj", { "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 -1//1\n" },
+      read_surface },
     { "features", { "2\n0 1\n1 2\n", "0 6 # a diagonal\n" }, read_features },
     { "conditions",
-      { "7 fixed\nbottom plane 0 0 1\n8 z=1\nvertex 3 free\nvertex 0 x=0.5 # a comment\n", "7 plane 1 1 1\n8 y=1e300\n" },
+      { "7 fixed\nbottom plane 0 0 1\n8 z=1\nvertex 3 free\nvertex 0 x=0.5 # a comment\n", "7 plane 1 1 1\n8 y=1e300\n",
+        "bottom surface\n8 surface \"bottom.stl\"\n" },
       read_conditions } };
   return result;
 }

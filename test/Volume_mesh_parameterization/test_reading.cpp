@@ -302,4 +302,22 @@ TEST_CASE("A file gets all of its content at once, or stays as it was")
   std::filesystem::remove_all(folder);
 }
 
+// CGAL allocates what counts of a file ask for.
+TEST_CASE("A surface whose counts are too large for its file is refused")
+{
+  const std::string name = "surface_of_test_reading.off";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  const auto read = [&](const std::string& counts, const std::string& triangle)
+  {
+    std::ofstream(name) << "OFF\n" << counts << points << triangle;
+    return VMP::internal::read_surface(name, VMP::internal::Budget());
+  };
+  CHECK(read("3 1 0\n", "3 0 1 2\n").facets == std::vector<std::array<std::size_t, 3> >{ { 0, 1, 2 } });
+  const std::string message = "the surface cannot be read: a number of points, of faces or of their vertices is too large";
+  CHECK_THROWS_WITH(read("900000000 1 0\n", "3 0 1 2\n"), message);
+  CHECK_THROWS_WITH(read("3 900000000 0\n", "3 0 1 2\n"), message);
+  CHECK_THROWS_WITH(read("3 1 0\n", "900000000 0 1 2\n"), message);
+  std::filesystem::remove(name);
+}
+
 } } // namespace

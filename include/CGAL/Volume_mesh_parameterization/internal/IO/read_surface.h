@@ -22,6 +22,9 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <filesystem>
+#include <memory_resource>
+#include <new>
+#include <stdexcept>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -38,13 +41,14 @@ inline bool is_surface_name(const std::string& filename)
 { return has_extension(filename, { ".off", ".stl", ".ply", ".obj", ".vtp" }); }
 
 // Returns a surface as a soup without cells. Faces with more vertices are split into triangles at their first vertex.
-inline Tetrahedron_soup_3 surface_of_polygons(Points points, const std::vector<std::vector<std::size_t> >& polygons)
+template <typename Polygons>
+Tetrahedron_soup_3 surface_of_polygons(Points points, const Polygons& polygons)
 {
   Tetrahedron_soup_3 result;
   result.points = std::move(points);
   const auto vertex = [&](const std::size_t v)
   { return checked_vertex(static_cast<std::int64_t>(v), 0, result.points.size()); };
-  for(const std::vector<std::size_t>& polygon : polygons)
+  for(const auto& polygon : polygons)
     for(std::size_t i = 2; i < polygon.size(); ++i)
       result.facets.push_back({ vertex(polygon[0]), vertex(polygon[i - 1]), vertex(polygon[i]) });
   return result;
@@ -70,14 +74,54 @@ inline Tetrahedron_soup_3 read_VTP(const std::string& text, const Budget& budget
   return surface_of_polygons(std::move(points), polygons);
 }
 
+// Memory for what a file contains, which is a small multiple of its size: counts of damaged files ask for more.
+class Memory_for_file : public std::pmr::memory_resource
+{
+public:
+  explicit Memory_for_file(const std::string& filename)
+    : m_bytes_left(std::filesystem::is_regular_file(filename) ? 1000000 + 100 * std::filesystem::file_size(filename)
+                                                              : (std::numeric_limits<std::uintmax_t>::max)())
+  {}
+
+private:
+  void* do_allocate(const std::size_t bytes, const std::size_t alignment) override
+  {
+    if(bytes > m_bytes_left)
+      throw std::bad_alloc();
+    m_bytes_left -= bytes;
+    return std::pmr::new_delete_resource()->allocate(bytes, alignment);
+  }
+
+  void do_deallocate(void* const p, const std::size_t bytes, const std::size_t alignment) override
+  {
+    m_bytes_left += bytes;
+    std::pmr::new_delete_resource()->deallocate(p, bytes, alignment);
+  }
+
+  bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+
+  std::uintmax_t m_bytes_left;
+};
+
 // Reads a surface in a format of CGAL or VTK.
 inline Tetrahedron_soup_3 read_surface(const std::string& filename, const Budget& budget)
 {
   if(has_extension(filename, { ".vtp" }))
     return read_VTP(read_file(filename, budget), budget);
-  std::vector<Simple_cartesian<double>::Point_3> points_of_file;
-  std::vector<std::vector<std::size_t> > polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points_of_file, polygons))
+  Memory_for_file memory(filename);
+  std::pmr::vector<Simple_cartesian<double>::Point_3> points_of_file(&memory);
+  std::pmr::vector<std::pmr::vector<std::size_t> > polygons(&memory);
+  const auto is_read = [&]()
+  {
+    try
+    {
+      return CGAL::IO::read_polygon_soup(filename, points_of_file, polygons);
+    }
+    catch(const std::bad_alloc&) {}
+    catch(const std::length_error&) {}
+    throw Input_error("the surface cannot be read: a number of points, of faces or of their vertices is too large");
+  };
+  if(!is_read())
     throw Input_error("the surface cannot be read");
   Points points;
   for(const auto& p : points_of_file)
