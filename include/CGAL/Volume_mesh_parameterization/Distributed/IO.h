@@ -40,10 +40,12 @@ public:
     const std::size_t size = static_cast<std::size_t>(std::filesystem::file_size(filename));
     const std::size_t n = static_cast<std::size_t>(communicator.size()), rank = static_cast<std::size_t>(communicator.rank());
     const auto cut = [&](const std::size_t i) { return size / n * i + (std::min)(i, size % n); };
-    if(rank > 0) // a line may begin there
+    // The first line is the one that begins in this part, or at its begin.
+    if(rank > 0)
       is.seekg(static_cast<std::streamoff>(cut(rank)) - 1).ignore((std::numeric_limits<std::streamsize>::max)(), '\n');
     const std::size_t begin = is.good() ? static_cast<std::size_t>(is.tellg()) : size;
     m_text = read_text(is, budget, (std::max)(begin, cut(rank + 1)) - begin);
+    // Ends the last line, and takes lines until a keyword has its number.
     std::string line;
     if(!m_text.empty() && m_text.back() != '\n' && std::getline(is, line))
       m_text += line + '\n';
@@ -53,6 +55,7 @@ public:
       m_text += line + '\n';
       last = last_word(line).empty() ? last : last_word(line);
     }
+    // Leaves to processes before this one what they took.
     const std::vector<double> ends = communicator.gathered(static_cast<double>(begin + m_text.size()));
     const auto taken = std::max_element(ends.begin(), ends.begin() + communicator.rank());
     if(rank > 0 && *taken > static_cast<double>(begin))
@@ -103,7 +106,7 @@ inline std::vector<std::array<double, 3> > read_boundary_targets(const MPI_commu
       to_holders[communicator.holder(begins, target.vertex)].push_back(target);
     return points_of_vertices(communicator.exchanged(to_holders), begins[communicator.rank()], soup.points.size());
   }
-  const Tetrahedron_soup_3 target = MEDIT_reader(communicator, slice.scanner(), true).read();
+  const Tetrahedron_soup_3 target = MEDIT_reader(communicator, slice.scanner()).read();
   check_same_connectivity(
     { communicator.begins(target.points.size()).back(), communicator.begins(target.cells.size()).back() },
     { begins.back(), communicator.begins(soup.cells.size()).back() }, [&]
@@ -196,7 +199,7 @@ bool read_MEDIT(const std::string& filename, Distributed_tetrahedron_soup_3& sou
     soup = communicator.together([&]() -> Distributed_tetrahedron_soup_3
     {
       const internal::Text_slice slice(communicator, filename, budget);
-      const Tetrahedron_soup_3 part = internal::MEDIT_reader(communicator, slice.scanner(), true).read();
+      const Tetrahedron_soup_3 part = internal::MEDIT_reader(communicator, slice.scanner()).read();
       // a range of bytes has many points and no cells, or the other way round
       return { soup.communicator, communicator.evenly(part.points), communicator.evenly(part.cells),
                communicator.evenly(part.cell_references) };

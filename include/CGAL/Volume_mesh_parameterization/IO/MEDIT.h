@@ -23,7 +23,7 @@ inline Tetrahedron_soup_3 read_MEDIT_text(const std::string& text, const Budget&
 {
   if(Binary_MEDIT_reader::is_binary(text))
     return Binary_MEDIT_reader(text, budget).read();
-  return MEDIT_reader(single_process(), Text_scanner(text, budget), false).read();
+  return MEDIT_reader(Text_scanner(text, budget)).read();
 }
 
 inline void write_MEDIT_points(Text_writer& writer, const std::vector<std::array<double, 3> >& points)

@@ -74,7 +74,7 @@ inline Read_targets targets_of_file(const std::string& filename, const Tetrahedr
   if(!is_MEDIT_file(filename) && !is_mesh(text))
     return { points_of_vertices(read_targets(Text_scanner(text, budget), source.points.size()), 0, source.points.size()) };
   const bool may_be_surface = is_MEDIT_file(filename) && !Binary_MEDIT_reader::is_binary(text) && !VTK_arrays::is_VTU(text);
-  return targets_of_mesh(may_be_surface ? MEDIT_reader(single_process(), Text_scanner(text, budget), false).read(true)
+  return targets_of_mesh(may_be_surface ? MEDIT_reader(Text_scanner(text, budget)).read(MEDIT_reader::Content::MESH_OR_SURFACE)
                                         : read_soup(text, budget), source, budget);
 }
 

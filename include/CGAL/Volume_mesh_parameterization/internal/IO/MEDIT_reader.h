@@ -34,22 +34,19 @@ inline std::array<double, 3> next_point(Text_scanner& scanner)
 class MEDIT_reader
 {
 public:
-  // If the text is a slice of a file, each element must have a line of its own, and no slice may end behind a keyword that
-  // a number belongs to.
-  MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
-    : m_communicator(communicator), m_is_slice(is_slice)
-  {
-    if(communicator.rank() == 0 && Text_scanner(text).next_word() != m_keywords[VERSION])
-      text.fail("this is not an ASCII MEDIT file, because it does not begin with 'MeshVersionFormatted'");
-    find_sections(text);
-    share_sections(text);
-  }
+  enum class Content { MESH, MESH_OR_SURFACE };
+
+  explicit MEDIT_reader(const Text_scanner& text) : MEDIT_reader(single_process(), text, false) {}
+
+  // Takes the slice of a file that this process has. Each element must have a line of its own, and no slice may end behind a
+  // keyword that a number belongs to.
+  MEDIT_reader(const Communicator_3& communicator, const Text_scanner& slice) : MEDIT_reader(communicator, slice, true) {}
 
   // Does a number belong to this word?
   static bool is_before_number(const std::string_view word) { return keyword(word) < END; }
 
   // Reads the elements of the file that are in this slice.
-  Tetrahedron_soup_3 read(const bool may_be_surface = false) const
+  Tetrahedron_soup_3 read(const Content content = Content::MESH) const
   {
     Tetrahedron_soup_3 soup;
     read_section(VERTICES, [&](Text_scanner& scanner)
@@ -67,7 +64,7 @@ public:
     read_simplices(EDGES_P2, number_of_points, 3, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
-    if(!may_be_surface)
+    if(content == Content::MESH)
       require_tetrahedra(total_of_processes(soup.cells.size()), total_of_processes(soup.facets.size()));
     const std::size_t number_of_second_order
       = total_of_processes(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
@@ -79,6 +76,15 @@ public:
   }
 
 private:
+  MEDIT_reader(const Communicator_3& communicator, const Text_scanner& text, const bool is_slice)
+    : m_communicator(communicator), m_is_slice(is_slice)
+  {
+    if(communicator.rank() == 0 && Text_scanner(text).next_word() != m_keywords[VERSION])
+      text.fail("this is not an ASCII MEDIT file, because it does not begin with 'MeshVersionFormatted'");
+    find_sections(text);
+    share_sections(text);
+  }
+
   enum { VERSION, DIMENSION, VERTICES, CORNERS, EDGES, TRIANGLES, TETRAHEDRA, EDGES_P2, TRIANGLES_P2, TETRAHEDRA_P2,
          END = 15, OTHER, NONE };
   static constexpr std::array<std::string_view, OTHER> m_keywords

@@ -26,9 +26,9 @@ inline std::string describe_angle_distortion(const double reached, const double 
          + (unavoidable > 2 ? sentence(" The prescribed vertices alone force ", unavoidable, ".") : "");
 }
 
-// Brings the distortion of angles of every cell below a bound, by a barrier. It is relaxed, less and less, until no
-// cell exceeds the bound, or the excess hardly falls. Once none does, no step does so any more, and the energy is
-// minimized below the bound. If the bound is missed, a map with a much larger energy than before is not kept.
+// Brings the distortion of angles of every cell below a bound, by a barrier. The barrier is relaxed less and less, until no cell
+// exceeds the bound, or the excess hardly falls. A step never lifts a cell above the bound again: then the energy is minimized
+// below it. If the bound is missed, a map with a much larger energy than before is not kept.
 // `minimize(energy, map)` continues from a map.
 template <typename Minimize>
 Found_map_3 bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, const double bound,

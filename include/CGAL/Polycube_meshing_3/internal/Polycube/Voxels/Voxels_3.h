@@ -95,7 +95,7 @@ public:
       }
   }
 
-  // Adds the parts of voxels between crossings to those of the voxels.
+  // Adds to each voxel the part of its samples that are inside: between an odd and the next even crossing of their line.
   void add_to(Voxels_3& voxels)
   {
     constexpr double part = 1. / (samples * samples * samples);

@@ -105,7 +105,7 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
   return {};
 }
 
-// Splits edges inside of charts whose ends are on their borders.
+// Splits edges that lead through the inside of a chart from one vertex of its border to another.
 inline void split_between_borders(Drawn_polycube_3& drawn)
 {
   const Boundary_mesh_3& mesh = drawn.mesh;
