@@ -25,13 +25,13 @@ namespace CGAL::Volume_mesh_parameterization {
 \ingroup PkgVolumeMeshParameterizationResults
 
 The condition of the image of a vertex. The image is at its target, free, or in a plane or on a line through the target with a
-given direction, or it slides on a surface or a curve. The value type of the named parameter `vertex_condition_map`.
+given direction, or it slides on a surface, on a curve, or in the boundary. The value type of the named parameter
+`vertex_condition_map`.
 
 A vertex at its target has its coordinates to the bit. A plane orthogonal to an axis and a line along an axis prescribe
 coordinates to the bit, too. Other planes and lines, and surfaces and curves, are met within rounding.
 
-A vertex on a surface or a curve first is at its target, which is put on the surface. It slides after the energy of that boundary
-is minimal.
+A vertex that slides first is at its target, which is put on the surface or the curve. It slides after a map is found.
 */
 class Vertex_condition_3
 {
@@ -44,7 +44,8 @@ public:
     ON_LINE,    ///< the image is on a line through the target
     AT_TARGET,  ///< the image is the target
     ON_SURFACE, ///< the image is on a surface
-    ON_CURVE    ///< the image is on a curve
+    ON_CURVE,   ///< the image is on a curve
+    IN_BOUNDARY ///< the image is in the patches of the boundary that have the target
   };
 
   /// constructs the condition of a free vertex, which needs no target.
@@ -70,6 +71,11 @@ public:
   /// returns the condition of a vertex that slides on a curve, likewise.
   static Vertex_condition_3 on_curve(const Any_surface_3& curve) { return { ON_CURVE, curve }; }
 
+  /// returns the condition of a vertex of the boundary that slides in patches of the target, and along the edges between them
+  /// (\ref VMPBoundarySlide). With `do_slide_boundary(true)`, all vertices of the boundary that are not constrained do so. A vertex
+  /// inside, or of a facet with a vertex that is not at its target first, stays at its target.
+  static Vertex_condition_3 in_boundary() { return { IN_BOUNDARY, {} }; }
+
   /// returns the kind.
   Kind kind() const { return m_kind; }
 
@@ -88,7 +94,8 @@ private:
   {
     const bool is_finite = std::isfinite(direction[0]) && std::isfinite(direction[1]) && std::isfinite(direction[2]);
     const bool is_zero = direction == std::array<double, 3>{};
-    internal::require(kind == AT_TARGET || (is_finite && !is_zero), "The direction of a condition must be finite and not zero.");
+    internal::require(kind == AT_TARGET || kind == IN_BOUNDARY || (is_finite && !is_zero),
+                      "The direction of a condition must be finite and not zero.");
   }
 
   Vertex_condition_3(const Kind kind, const Any_surface_3& surface) : m_kind(kind), m_surface(surface) {}

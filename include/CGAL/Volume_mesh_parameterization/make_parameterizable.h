@@ -52,7 +52,8 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
   {
     const auto no_target = [](std::size_t) { return Exact_point_3(); };
     const Prescription_3 prescription = prescription_3<Vertex>(body, np, no_target, vertex);
-    const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(prescription.is_prescribed, simplex); };
+    const std::vector<bool> is_prescribed = prescription.prescribed_points();
+    const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
     return Simplex_removal_3(body, is_bad).run(budget);
   }
   else

@@ -351,9 +351,10 @@ TEST_CASE("Steps of vertices in planes and on lines stay there, and solve the pr
   const Matrix3Xd directions = noise(mesh.number_of_prescribed_vertices(), 1, 7);
   for(int i = 0; i < mesh.number_of_prescribed_vertices(); ++i)
   {
-    const Vector3d n = directions.col(i).normalized();
-    const Matrix3d line = n * n.transpose();
-    mesh.projectors.push_back(i % 3 == 0 ? Matrix3d(Matrix3d::Zero()) : i % 3 == 1 ? line : Matrix3d(Matrix3d::Identity() - line));
+    using Condition = VMP::Vertex_condition_3;
+    const Vector3d n = directions.col(i);
+    mesh.conditions.push_back(i % 3 == 0 ? Condition::at_target() : i % 3 == 1 ? Condition::on_line(n[0], n[1], n[2])
+                                                                              : Condition::in_plane(n[0], n[1], n[2]));
   }
   Solver<> traits;
   VMP::internal::Linear_solver_of<Solver<> > linear_solver(traits);

@@ -83,16 +83,21 @@ Matrix3Xd image(const Complex& complex)
   return result;
 }
 
-std::size_t number_of_sliding_vertices(const Numbered_mesh_3& mesh)
+using Condition = VMP::Vertex_condition_3;
+
+Sliding_boundary_3 sliding_boundary(Numbered_mesh_3& mesh)
 {
-  return Sliding_boundary_3(mesh, [](int) { return false; }).number_of_sliding_vertices();
+  mesh.sliding_conditions.assign(mesh.number_of_prescribed_vertices(), Condition::in_boundary());
+  return Sliding_boundary_3(mesh);
 }
 
-std::size_t number_of_vertices_on_surfaces(const Numbered_mesh_3& mesh)
+std::size_t number_of_sliding_vertices(Numbered_mesh_3 mesh) { return sliding_boundary(mesh).number_of_sliding_vertices(); }
+
+std::size_t number_of_vertices_on_surfaces(Numbered_mesh_3 mesh)
 {
-  const Sliding_boundary_3 boundary(mesh, [](int) { return false; });
-  return static_cast<std::size_t>(std::count_if(boundary.surfaces().begin(), boundary.surfaces().end(),
-                                                [](const auto& surface) { return surface.is_sliding(); }));
+  const std::vector<Condition> conditions = sliding_boundary(mesh).conditions();
+  return static_cast<std::size_t>(std::count_if(conditions.begin(), conditions.end(),
+                                                [](const Condition& condition) { return condition.is_sliding(); }));
 }
 
 // The mean of 1/s_1^2 + 1/s_2^2 + 1/s_3^2, which is |J^{-1}|^2, with both meshes scaled to one volume.
@@ -260,8 +265,8 @@ TEST_CASE("The normals of planes along the axes have no rounding error")
 
 TEST_CASE("A vertex outside its plane or a facet turned over is found")
 {
-  const Numbered_mesh_3 mesh = cube_mesh(n);
-  const Sliding_boundary_3 boundary(mesh, [](int) { return false; });
+  Numbered_mesh_3 mesh = cube_mesh(n);
+  const Sliding_boundary_3 boundary = sliding_boundary(mesh);
   const auto vertex_at = [&](const Vector3d& p)
   {
     Eigen::Index v;
@@ -269,7 +274,7 @@ TEST_CASE("A vertex outside its plane or a facet turned over is found")
     return v;
   };
   const Eigen::Index in_face = vertex_at(Vector3d(0, 2, 2)), on_edge = vertex_at(Vector3d(0, 0, 2));
-  const auto residual = [&](const Matrix3Xd& u) { return distance_to_targets(mesh, u, boundary.projectors()); };
+  const auto residual = [&](const Matrix3Xd& u) { return distance_to_targets(mesh, u, boundary.conditions()); };
   CHECK(residual(mesh.target) == 0);
   CHECK(boundary.has_same_orientations(mesh.target));
 
@@ -282,7 +287,7 @@ TEST_CASE("A vertex outside its plane or a facet turned over is found")
   CHECK(residual(u) > 0);
   u(1, on_edge) = 0.25;
   CHECK(residual(u) == 0.25);
-  u = snapped(mesh, u, boundary.projectors());
+  u = snapped(mesh, u, boundary.conditions());
   CHECK(u.col(in_face) == Vector3d(0, 2.1, 2.2));
   CHECK(u.col(on_edge) == Vector3d(0, 0, 2.3));
 

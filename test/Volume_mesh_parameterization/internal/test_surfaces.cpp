@@ -319,12 +319,11 @@ TEST_CASE("The gradient is that of the energy after vertices are put back on the
   for(Eigen::Index v = 0; v < mesh.source.cols(); ++v)
     if(const Vector3d p = mesh.source.col(v) * (2. / 3) - Vector3d::Ones(); !p.isZero(1e-9))
       mesh.target.col(v) = p * (p.cwiseAbs().maxCoeff() / p.norm());
-  mesh.surfaces.assign(mesh.number_of_prescribed_vertices(), Condition::on_surface(VMP::Implicit_surface_3(Sphere())));
-  const VMP::internal::Sliding_boundary_3 sliding(mesh);
+  const std::vector<Condition> conditions(mesh.number_of_prescribed_vertices(),
+                                          Condition::on_surface(VMP::Implicit_surface_3(Sphere())));
   VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> traits;
   VMP::internal::Linear_solver_of solver(traits);
-  VMP::internal::Newton_system_3 system(
-    mesh, VMP::internal::free_vertices(mesh, sliding.projectors(), sliding.surfaces()), solver);
+  VMP::internal::Newton_system_3 system(mesh, VMP::internal::free_vertices(mesh, conditions), solver);
   const VMP::Symmetric_Dirichlet_energy_3 energy;
   const VMP::internal::Cell_energy_of<VMP::Symmetric_Dirichlet_energy_3> cell_energy(energy);
   const auto u = VMP::internal::Matrix3Xd(system.scale() * mesh.target);

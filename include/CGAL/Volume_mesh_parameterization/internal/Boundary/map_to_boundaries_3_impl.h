@@ -21,6 +21,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3 body, Prescription_3 prescription,
                                        const Mapped_boundary_3& boundary, Map_problem_3 problem)
 {
+  const std::size_t number_of_points = body.points.size();
   Mapped_body_3 mapped = { std::move(body), &boundary, {} };
   std::optional<std::vector<Insertion_3> > insertions = split_any_edges_3(mapped.body, boundary.splits);
   if(!insertions)
@@ -38,7 +39,10 @@ inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3
     problem.options.mode = Boundary_mode::FIXED;
   prescription.targets = boundary.targets;
   prescription.extend_to(mapped.body.points.size());
-  set_prescribed_points(mapped.body, prescription);
+  for(const std::array<std::size_t, 3>& facet : mapped.body.boundary)
+    for(const std::size_t p : facet)
+      if(p >= number_of_points)
+        prescription.conditions[p] = prescription.boundary_condition;
   mapped.map = refine_and_parameterize_body_3(mapped.body, std::move(prescription), problem, std::move(*insertions));
   mapped.map.result.number_of_added_boundary_vertices = boundary.splits.size();
   return mapped;

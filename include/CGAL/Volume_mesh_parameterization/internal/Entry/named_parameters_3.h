@@ -37,7 +37,6 @@ Map_options_3 map_options_3(const NamedParameters& np)
   options.soft = parameter_or(np, internal_np::soft_boundary_parameters,
     options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
   options.refinement = parameter_or(np, internal_np::refinement_mode, options.refinement);
-  options.do_slide = parameter_or(np, internal_np::do_slide_boundary, options.do_slide);
   options.use_volume_weights = parameter_or(np, internal_np::use_volume_weights, options.use_volume_weights);
   options.use_regular_references = parameter_or(np, internal_np::use_regular_references, options.use_regular_references);
   if(options.use_regular_references)
@@ -150,26 +149,26 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
                   && parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value,
                   "vertex_condition_map replaces vertex_is_constrained_map and do_slide_boundary: pass one of them.");
-    result.conditions.resize(number_of_points);
     for(std::size_t p = 0; p < number_of_points; ++p)
       if(has_cell[p])
         result.conditions[p] = get(conditions, vertex(p));
   }
-  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value)
+  else
   {
-    const auto is_constrained = parameters::get_parameter(np, internal_np::vertex_is_constrained);
+    const auto is_constrained
+      = parameter_or(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
+    result.boundary_condition = parameter_or(np, internal_np::do_slide_boundary, false) ? Vertex_condition_3::in_boundary()
+                                                                                         : Vertex_condition_3::at_target();
+    const std::vector<bool> is_on_boundary = used_points(body.boundary, number_of_points);
     for(std::size_t p = 0; p < number_of_points; ++p)
-      if(has_cell[p])
-        result.is_constrained[p] = get(is_constrained, vertex(p));
+      if(has_cell[p] && get(is_constrained, vertex(p)))
+        result.conditions[p] = Vertex_condition_3::at_target();
+      else if(is_on_boundary[p])
+        result.conditions[p] = result.boundary_condition;
   }
-  set_prescribed_points(body, result);
   for(std::size_t p = 0; p < number_of_points; ++p)
-    if(has_cell[p] && result.is_prescribed[p])
-    {
-      const std::array<double, 3> point = coordinates(target(p));
-      result.targets[p] = body.image_type.rounded_point(result.conditions.empty() ? point
-                                                                                  : completed_target(point, result.conditions[p]));
-    }
+    if(has_cell[p] && result.conditions[p].kind() != Vertex_condition_3::FREE)
+      result.targets[p] = body.image_type.rounded_point(completed_target(coordinates(target(p)), result.conditions[p]));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
   {
     const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);

@@ -36,7 +36,6 @@ struct Map_options_3
   Boundary_mode mode = Boundary_mode::AUTO;
   Refinement_mode refinement = Refinement_mode::HELPFUL; // of a body that may be refined
   Soft_boundary_parameters soft;
-  bool do_slide = false;
   double energy_tolerance = 1e-3;        // a part of the energy that is nothing, if five steps gain it,
   double negligible_gain() const { return (std::max)(1e-8, energy_tolerance / 100); } // or one promises this
   double maximum_angle_distortion = std::numeric_limits<double>::infinity();

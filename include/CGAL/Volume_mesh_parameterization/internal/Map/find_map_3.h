@@ -20,14 +20,14 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide anyway. If cells are too flat
+// Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide in the boundary. If cells are too flat
 // for the linear solver, their vertices move before all others.
 inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                   const Search_start_3& start)
 {
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
-  if(problem.options.do_slide)
+  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY))
     return found;
   if(found.status == OK)
     found = minimize_map_3(system, problem, std::move(found));

@@ -103,7 +103,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
        !crossing.empty())
       result.message += crossing + ". Few such boundaries have a map without inverted cells, and no such map is one to one.";
-  if(found.map.is_valid() && (mesh.alignment || !mesh.surfaces.empty()))
+  if(found.map.is_valid() && (mesh.alignment || are_some_on_surfaces(mesh.sliding_conditions)))
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())
     {
@@ -112,10 +112,11 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     }
   result.has_valid_map = found.map.is_valid();
   if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole()
-     && mesh.surfaces.empty()) // vertices on these have left their targets
+     && !are_some_on_surfaces(mesh.sliding_conditions)) // which have left their targets
     result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
-    + std::count_if(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return !projector.is_zero(); });
+    + std::count_if(mesh.conditions.begin(), mesh.conditions.end(), [](const Vertex_condition_3& condition)
+                    { return condition.kind() != Vertex_condition_3::AT_TARGET; });
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
   result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
   result.number_of_inverted_cells = found.map.number_of_inverted_cells;

@@ -54,26 +54,28 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& e
               << " of their size." << std::endl;
 }
 
-// Sets which vertices of a body are in planes or on lines, and aligns the source to what is prescribed if a part of the boundary
-// is free. Targets in free directions become those of the aligned source.
-inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, const std::vector<Vertex_condition_3>& conditions)
+// Sets what the prescribed vertices of a body may do, and aligns the source to what is prescribed if a part of the boundary is
+// free. Targets in free directions become those of the aligned source.
+inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, const Prescription_3& prescription)
 {
   Numbered_mesh_3& mesh = numbered.mesh;
   for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-    mesh.projectors.push_back(projector_3(conditions[numbered.points[v]]));
-  if(std::all_of(mesh.projectors.begin(), mesh.projectors.end(), [](const auto& projector) { return projector.is_zero(); }))
-    mesh.projectors.clear();
-  if(std::any_of(conditions.begin(), conditions.end(), [](const auto& condition) { return condition.is_sliding(); }))
-    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-    {
-      const Vertex_condition_3& condition = conditions[numbered.points[v]];
-      mesh.surfaces.push_back(condition.is_sliding() ? condition : Vertex_condition_3::free());
-    }
-  const auto is_fixed = [&](const std::size_t p) { return is_at_target_first(conditions[p]); };
+  {
+    const Vertex_condition_3& condition = prescription.conditions[numbered.points[v]];
+    mesh.sliding_conditions.push_back(condition);
+    mesh.conditions.push_back(does_slide_later(condition) ? Vertex_condition_3::at_target() : condition);
+  }
+  const auto clear_if_none = [](Conditions_3& conditions, const auto& is)
+  {
+    if(std::none_of(conditions.begin(), conditions.end(), is))
+      conditions.clear();
+  };
+  clear_if_none(mesh.sliding_conditions, does_slide_later);
+  clear_if_none(mesh.conditions, [](const auto& condition) { return !is_at_target_first(condition); });
   if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
     return; // the check of the input names the place
   for(const std::array<std::size_t, 3>& facet : body.boundary)
-    if(!std::all_of(facet.begin(), facet.end(), is_fixed))
+    if(!std::all_of(facet.begin(), facet.end(), [&](const std::size_t p) { return mesh.is_fixed(numbered.vertices[p]); }))
     {
       mesh.alignment = alignment_3(mesh);
       set_targets(mesh, snapped(mesh, moved(*mesh.alignment, mesh.source)));
@@ -84,17 +86,14 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
 // Numbers a body, with all that is prescribed in these numbers.
 inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3& prescription, const Map_options_3& options)
 {
-  Numbered_body_3 result(body, prescription.is_prescribed, prescription.targets,
+  Numbered_body_3 result(body, prescription.prescribed_points(), prescription.targets,
                          options.use_volume_weights, options.is_parallel);
   Numbered_mesh_3& mesh = result.mesh;
-  if(!prescription.conditions.empty())
-    set_conditions_3(result, body, prescription.conditions);
+  set_conditions_3(result, body, prescription);
   if(options.use_regular_references)
     set_regular_cell(mesh);
   if(!prescription.initial.empty())
     mesh.initial = result.columns(prescription.initial);
-  for(const std::size_t p : result.points)
-    mesh.is_held.push_back(prescription.is_constrained[p]);
   for(const Linear_constraint_3<std::size_t>& constraint : prescription.constraints)
   {
     mesh.constraints.push_back({ {}, constraint.value });

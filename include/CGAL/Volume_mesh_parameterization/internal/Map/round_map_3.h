@@ -119,7 +119,7 @@ inline void round_map_3(const Numbered_mesh_3& mesh, const Coordinate_type& type
   if(!type.is_narrow() || !found.map.is_valid())
     return;
   Map_3 map = evaluated_map(mesh, rounded_positions_3(mesh, type, found.map.positions, problem.progress.budget()));
-  if(found.number_of_sliding_vertices > 0 || !mesh.projectors.empty()) // which are near their planes up to rounding
+  if(found.number_of_sliding_vertices > 0 || !mesh.conditions.empty()) // which are near their planes up to rounding
   {
     map.meets_boundary = found.map.meets_boundary;
     map.distance_to_boundary = found.map.distance_to_boundary;

@@ -109,23 +109,16 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
   const double bound = options.maximum_angle_distortion;
   const bool exceeds_bound
     = std::isfinite(bound) && !(largest_angle_distortion_3(mesh, found.map.positions) < bound);
-  const bool do_slide = options.do_slide || !mesh.surfaces.empty();
+  const bool do_slide = !mesh.sliding_conditions.empty();
   if((!do_slide && !options.minimize_maximum_angle_distortion && !exceeds_bound) || progress.is_interrupted())
     return found;
   std::optional<Sliding_boundary_3> sliding;
-  if(options.do_slide)
-  {
-    sliding.emplace(mesh, [&](const int v) { return !mesh.is_held.empty() && mesh.is_held[v]; });
-    found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
-  }
-  else if(do_slide)
+  if(do_slide)
   {
     sliding.emplace(mesh);
-    found.number_of_sliding_vertices
-      = std::count_if(mesh.surfaces.begin(), mesh.surfaces.end(), [](const auto& surface) { return surface.is_sliding(); });
+    found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
   }
-  Newton_system_3 system(mesh, sliding ? free_vertices(mesh, sliding->projectors(), sliding->surfaces()) : free_vertices(mesh),
-                         problem.solver);
+  Newton_system_3 system(mesh, free_vertices(mesh, sliding ? sliding->conditions() : mesh.conditions), problem.solver);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();

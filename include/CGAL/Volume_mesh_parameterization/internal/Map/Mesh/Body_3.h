@@ -111,18 +111,15 @@ Body_3 body_of(const PointRange& points, const CellRange& cells)
 struct Prescription_3
 {
   std::vector<std::array<double, 3> > targets;
-  std::vector<bool> is_constrained;            // inside, as those on the boundary are
-  std::vector<bool> is_prescribed;             // by these, or by conditions
-  std::vector<Vertex_condition_3> conditions;  // in place of these; if there are no entries, the boundary is at its targets
+  std::vector<Vertex_condition_3> conditions;
+  Vertex_condition_3 boundary_condition;       // of points that splits add to the boundary
   std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
   std::vector<Linear_constraint_3<std::size_t> > constraints;
 
-  void extend_to(std::size_t number_of_points); // nothing is prescribed for new points
-  std::vector<bool> fixed_points() const;       // those at their targets
+  void extend_to(std::size_t number_of_points); // new points are free
+  std::vector<bool> prescribed_points() const;  // those that are not free
+  std::vector<bool> fixed_points() const;       // those at their targets first
 };
-
-// Marks the prescribed points: those on the boundary and the constrained ones; with conditions, those that are not free.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void set_prescribed_points(const Body_3& body, Prescription_3& prescription);
 
 // Returns the target with 0 in place of missing coordinates that are not prescribed, or the nearest point of the surface.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

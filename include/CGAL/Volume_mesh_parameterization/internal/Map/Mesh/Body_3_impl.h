@@ -46,29 +46,25 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void Prescription_3::extend_to(const st
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   targets.resize(number_of_points, { nan, nan, nan });
-  is_constrained.resize(number_of_points, false);
-  is_prescribed.resize(number_of_points, false);
-  if(!conditions.empty())
-    conditions.resize(number_of_points);
+  conditions.resize(number_of_points);
   if(!initial.empty())
     initial.resize(number_of_points, { nan, nan, nan });
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> Prescription_3::fixed_points() const
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> Prescription_3::prescribed_points() const
 {
-  std::vector<bool> result = is_prescribed;
-  for(std::size_t p = 0; p < conditions.size(); ++p)
-    result[p] = is_at_target_first(conditions[p]);
+  std::vector<bool> result;
+  for(const Vertex_condition_3& condition : conditions)
+    result.push_back(condition.kind() != Vertex_condition_3::FREE);
   return result;
 }
 
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void set_prescribed_points(const Body_3& body, Prescription_3& prescription)
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> Prescription_3::fixed_points() const
 {
-  std::vector<bool>& is_prescribed = prescription.is_prescribed;
-  is_prescribed = used_points(body.boundary, body.points.size());
-  for(std::size_t p = 0; p < is_prescribed.size(); ++p)
-    is_prescribed[p] = prescription.conditions.empty() ? is_prescribed[p] || prescription.is_constrained[p]
-                                                       : prescription.conditions[p].kind() != Vertex_condition_3::FREE;
+  std::vector<bool> result;
+  for(const Vertex_condition_3& condition : conditions)
+    result.push_back(is_at_target_first(condition));
+  return result;
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE

@@ -13,12 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Projectors onto the directions in which each prescribed vertex may move from its target; none if all stay.
-using Projectors_3 = std::vector<Matrix_3>;
 
 // The vector from the nearest point at which a vertex may be.
 inline Vector_3 offset_3(const Matrix_3& projector, const Vector_3& position, const Vector_3& target)
@@ -29,50 +25,50 @@ inline Vector_3 offset_3(const Matrix_3& projector, const Vector_3& position, co
 }
 
 // The positions with the prescribed vertices on their targets, or at the nearest points at which they may be. A coordinate that
-// cannot change has the bits of the target. Some vertices are on surfaces, if there are any.
-inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors,
-                         const std::vector<Vertex_condition_3>& surfaces = {})
+// cannot change has the bits of the target.
+inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
 {
   const int n = mesh.number_of_prescribed_vertices();
-  if(projectors.empty())
+  if(conditions.empty())
     positions.rightCols(n) = mesh.target.rightCols(n);
-  for(std::size_t i = 0; i < projectors.size(); ++i)
+  for(std::size_t i = 0; i < conditions.size(); ++i)
   {
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
-    if(!surfaces.empty() && surfaces[i].is_sliding())
+    if(conditions[i].is_sliding())
     {
-      positions.col(v) = put_on_surface_3(surfaces[i], positions.col(v)).first;
+      positions.col(v) = put_on_surface_3(conditions[i], positions.col(v)).first;
       continue;
     }
-    positions.col(v) -= offset_3(projectors[i], positions.col(v), mesh.target.col(v));
+    const Matrix_3 projector = projector_3(conditions[i]);
+    positions.col(v) -= offset_3(projector, positions.col(v), mesh.target.col(v));
     for(int k = 0; k < 3; ++k)
-      if(projectors[i].row(k) == Vector_3::Zero())
+      if(projector.row(k) == Vector_3::Zero())
         positions(k, v) = mesh.target(k, v);
   }
   return positions;
 }
 
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
-{ return snapped(mesh, std::move(positions), mesh.projectors); }
+{ return snapped(mesh, std::move(positions), mesh.conditions); }
 
 // Returns the largest distance of a prescribed vertex to its target, plane, line or surface. Errors of rounding count as 0; along
 // the axes, there are none.
-inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Projectors_3& projectors,
-                                  const std::vector<Vertex_condition_3>& surfaces = {})
+inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Conditions_3& conditions)
 {
   const int n = mesh.number_of_prescribed_vertices();
-  if(projectors.empty())
+  if(conditions.empty())
     return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
   const double rounding = 1e-14 * mesh.target.cwiseAbs().maxCoeff();
   double result = 0;
   for(int i = 0; i < n; ++i)
   {
     const int v = mesh.number_of_free_vertices + i;
-    const bool is_on_surface = !surfaces.empty() && surfaces[i].is_sliding();
+    const bool is_on_surface = conditions[i].is_sliding();
+    const Matrix_3 projector = projector_3(conditions[i]);
     const double distance
-      = is_on_surface ? length_3(put_on_surface_3(surfaces[i], positions.col(v)).first - Vector_3(positions.col(v)))
-                      : length_3(offset_3(projectors[i], positions.col(v), mesh.target.col(v)));
-    if(distance > (projectors[i].is_diagonal() && !is_on_surface ? 0 : rounding))
+      = is_on_surface ? length_3(put_on_surface_3(conditions[i], positions.col(v)).first - Vector_3(positions.col(v)))
+                      : length_3(offset_3(projector, positions.col(v), mesh.target.col(v)));
+    if(distance > (projector.is_diagonal() && !is_on_surface ? 0 : rounding))
       result = (std::max)(result, distance);
   }
   return result;
@@ -97,23 +93,22 @@ struct Map_3
 };
 
 // Evaluates positions that are to have the prescribed vertices where they may be.
-inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Projectors_3& projectors,
-                           const std::vector<Vertex_condition_3>& surfaces = {})
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);
   Map_3 map;
   map.number_of_inverted_cells = inverted.number;
   map.inverted_cells = std::move(inverted.cells);
-  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, projectors, surfaces));
-  map.meets_boundary = mesh.communicator->all(projectors.empty() ? positions.rightCols(n) == mesh.target.rightCols(n)
+  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, conditions));
+  map.meets_boundary = mesh.communicator->all(conditions.empty() ? positions.rightCols(n) == mesh.target.rightCols(n)
                                                                  : map.distance_to_boundary == 0);
   map.positions = std::move(positions);
   return map;
 }
 
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions)
-{ return evaluated_map(mesh, std::move(positions), mesh.projectors); }
+{ return evaluated_map(mesh, std::move(positions), mesh.conditions); }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

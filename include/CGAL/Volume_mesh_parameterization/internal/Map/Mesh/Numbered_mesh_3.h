@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
-#include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Dynamic_matrix.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
@@ -52,10 +52,9 @@ struct Numbered_mesh_3
   Matrix3Xd source;               // one column a vertex
   Matrix3Xd target;               // the image; prescribed for the vertices that are not free
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
-  std::vector<Matrix_3> projectors; // of prescribed vertices, onto the directions in which each may move; none if all stay
-  std::vector<Vertex_condition_3> surfaces; // on which prescribed vertices slide; none if none does, free if a vertex does not
+  Conditions_3 conditions;        // of prescribed vertices, until some slide; none if all are at their targets
+  Conditions_3 sliding_conditions; // of prescribed vertices from then on; none if none slides
   std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
-  std::vector<bool> is_held;             // may a vertex not slide either? none is held if there are no entries
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
   std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
@@ -92,13 +91,19 @@ struct Numbered_mesh_3
   bool is_whole() const { return communicator->is_alone(); } // what needs all cells asks for it
   double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
-  bool is_fixed(const int v) const { return !is_free(v) && (projectors.empty() || projector(v).is_zero()); }
 
-  // Onto the directions in which a vertex may move: space, a plane, a line or a point.
-  Matrix_3 projector(const int v) const
+  // What a vertex may do before some slide.
+  Vertex_condition_3 condition(const int v) const
   {
-    return is_free(v) ? Matrix_3::Identity() : projectors.empty() ? Matrix_3::Zero() : projectors[v - number_of_free_vertices];
+    return is_free(v) ? Vertex_condition_3::free()
+         : conditions.empty() ? Vertex_condition_3::at_target() : conditions[v - number_of_free_vertices];
   }
+  bool is_fixed(const int v) const
+  {
+    return !is_free(v) && (conditions.empty()
+                           || conditions[v - number_of_free_vertices].kind() == Vertex_condition_3::AT_TARGET);
+  }
+  Matrix_3 projector(const int v) const { return projector_3(condition(v)); }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };
 

@@ -14,10 +14,16 @@
 
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/projector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Twice the area, times the unit normal.
+inline Vector_3 area_vector(const Matrix3Xd& points, const std::array<int, 3>& facet)
+{
+  const Vector_3 &p = points.col(facet[0]), &q = points.col(facet[1]), &r = points.col(facet[2]);
+  return (q - p).cross(r - p);
+}
 
 // A triangulated surface as regions of neighbouring facets that are coplanar: exactly, or nearly, as
 // where coordinates were rounded in a file. A region is planar if its vertices are within `tolerance` of
@@ -42,13 +48,6 @@ public:
   const Vector_3& normal(const std::size_t region) const { return m_normal[region]; }
 
 private:
-  // twice the area, times the unit normal
-  static Vector_3 area_vector(const Matrix3Xd& points, const Facet& facet)
-  {
-    const Vector_3 &p = points.col(facet[0]), &q = points.col(facet[1]), &r = points.col(facet[2]);
-    return (q - p).cross(r - p);
-  }
-
   // Are two facets with a common edge coplanar, and on either side of it?
   static bool are_coplanar(const Matrix3Xd& points, const Facet& f, const Facet& g)
   {
@@ -108,9 +107,10 @@ private:
   std::vector<bool> m_is_planar;
 };
 
-// Where the vertices of a boundary may go if its planar regions are to cover the same polygons: a vertex inside a region
-// moves parallel to its plane, one between two regions along their line, and every other vertex stays at its target. Sharp edges
-// of the body that lead along an axis inside of a region are lines, too, on which vertices stay.
+// What vertices may do when some slide. Those in the boundary keep its image: its planar regions are to cover the same polygons, so
+// a vertex inside a region moves parallel to its plane, and one between two regions along their line. Sharp edges of the body that
+// lead along an axis inside of a region are lines, too, on which vertices stay. Vertices of curved patches move on their
+// triangles, and between patches on the curve. Corners stay at their targets.
 //
 // While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
 // its cell with it, in between. And regions of facets that are not turned over cover each point as often
@@ -119,82 +119,83 @@ private:
 class Sliding_boundary_3
 {
 public:
-  // Takes the conditions of a mesh. Those on surfaces slide.
-  explicit Sliding_boundary_3(const Numbered_mesh_3& mesh)
-    : m_mesh(mesh), m_regions(mesh.target, {}, 0), m_projectors(mesh.projectors), m_surfaces(mesh.surfaces)
+  explicit Sliding_boundary_3(const Numbered_mesh_3& mesh) : m_mesh(mesh), m_conditions(mesh.sliding_conditions)
   {
-    m_projectors.resize(m_surfaces.size(), Matrix_3::Zero());
-    for(std::size_t i = 0; i < m_surfaces.size(); ++i)
-      if(m_surfaces[i].is_sliding())
-        m_projectors[i] = put_on_surface_3(m_surfaces[i], mesh.target.col(mesh.number_of_free_vertices + i)).second;
-  }
-
-  // Vertices for which `is_constrained` is true stay at their targets, too.
-  template <typename Predicate>
-  Sliding_boundary_3(const Numbered_mesh_3& mesh, const Predicate& is_constrained)
-    : m_mesh(mesh), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
-      m_regions(mesh.target, m_facets, planarity * target_diagonal(mesh))
-  {
-    std::vector<std::vector<std::size_t> > regions(mesh.number_of_vertices());
-    for(std::size_t f = 0; f < m_facets.size(); ++f)
-      for(const int v : m_facets[f])
-        if(std::find(regions[v].begin(), regions[v].end(), m_regions.region(f)) == regions[v].end())
-          regions[v].push_back(m_regions.region(f));
-    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-      m_projectors.push_back(is_constrained(v) ? Matrix_3::Zero() : projector(regions[v]));
-    hold_lines();
-    slide_on_curved_patches(is_constrained);
+    if(!has_kind(m_conditions, Vertex_condition_3::IN_BOUNDARY))
+      return;
+    for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
+      if(std::all_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_fixed(v); }))
+        m_facets.push_back(facet);
+      else
+        for(const int v : facet)
+          if(slides_in_boundary(v))
+            condition(v) = Vertex_condition_3::at_target();
+    const Planar_regions_3 regions(mesh.target, m_facets, planarity * target_diagonal(mesh));
+    slide_in_regions(regions);
+    hold_lines(regions);
+    slide_on_curved_patches(regions);
   }
 
   std::size_t number_of_sliding_vertices() const
   {
-    return std::count_if(m_projectors.begin(), m_projectors.end(),
-                         [](const Matrix_3& projector) { return !projector.is_zero(); });
+    std::size_t result = 0;
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices() && !m_conditions.empty(); ++v)
+      result += m_mesh.is_fixed(v) && condition(v).kind() != Vertex_condition_3::AT_TARGET;
+    return result;
   }
 
-  // Returns the projector of each prescribed vertex onto the directions in which it may move.
-  const Projectors_3& projectors() const { return m_projectors; }
+  // Returns the conditions of the prescribed vertices. None is in the boundary but in its planes, on its lines or on its surface.
+  const Conditions_3& conditions() const { return m_conditions; }
 
-  // Returns the conditions of prescribed vertices on surfaces, free for others, or none.
-  const std::vector<Vertex_condition_3>& surfaces() const { return m_surfaces; }
-
-  // Is each facet of a planar region, if no vertex of it is on a surface, oriented as in the target? Decided by exact predicates
-  // on the coordinates, without the one in which the normal is the longest.
+  // Is each facet of the boundary oriented as in the target, unless a vertex is on a surface? Decided by exact predicates on the
+  // coordinates, without the one in which the normal is the longest.
   bool has_same_orientations(const Matrix3Xd& positions) const
   {
-    for(std::size_t f = 0; f < m_facets.size(); ++f)
-      if(m_regions.is_planar(m_regions.region(f)) && !has_vertex_on_surface(f)
-         && orientation(positions, f) != orientation(m_mesh.target, f))
-        return false;
-    return true;
+    return std::all_of(m_facets.begin(), m_facets.end(), [&](const std::array<int, 3>& facet)
+    {
+      const int axis = area_vector(m_mesh.target, facet).cwiseAbs().largest_index();
+      return std::any_of(facet.begin(), facet.end(), [&](const int v) { return condition(v).is_sliding(); })
+          || orientation(positions, facet, axis) == orientation(m_mesh.target, facet, axis);
+    });
   }
 
 private:
   static constexpr double planarity = 1e-7; // relative to the diagonal; more than eight digits in a file round
 
-  // onto the directions in which a vertex of these regions may move
-  Matrix_3 projector(const std::vector<std::size_t>& regions) const
+  Vertex_condition_3& condition(const int v) { return m_conditions[v - m_mesh.number_of_free_vertices]; }
+  const Vertex_condition_3& condition(const int v) const { return m_conditions[v - m_mesh.number_of_free_vertices]; }
+  bool slides_in_boundary(const int v) const
+  { return !m_mesh.is_free(v) && condition(v).kind() == Vertex_condition_3::IN_BOUNDARY; }
+
+  void slide_in_regions(const Planar_regions_3& regions)
   {
-    constexpr double small_sine = 1e-3; // a guess; of the angle between planes
-    const bool is_planar = std::all_of(regions.begin(), regions.end(), [&](const std::size_t region)
-                                       { return m_regions.is_planar(region); });
-    if(is_planar && regions.size() == 1)
-    {
-      const Vector_3& normal = m_regions.normal(regions[0]);
-      return Matrix_3::Identity() - Matrix_3::outer_product(normal, normal);
-    }
-    if(is_planar && regions.size() == 2)
-    {
-      const Vector_3 line = m_regions.normal(regions[0]).cross(m_regions.normal(regions[1]));
-      if(line.norm() > small_sine)
-        return Matrix_3::outer_product(line.normalized(), line.normalized());
-    }
-    return Matrix_3::Zero();
+    std::vector<std::vector<std::size_t> > regions_of_vertices(m_mesh.number_of_vertices());
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      for(const int v : m_facets[f])
+        if(auto& around = regions_of_vertices[v]; std::find(around.begin(), around.end(), regions.region(f)) == around.end())
+          around.push_back(regions.region(f));
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      if(const auto& around = regions_of_vertices[v]; slides_in_boundary(v)
+         && std::all_of(around.begin(), around.end(), [&](const std::size_t region) { return regions.is_planar(region); }))
+        slide_between(regions, around, condition(v));
   }
 
-  // Lets the vertices of lines inside of regions move along the axis of the line, and those where lines meet or end at the border
-  // of a region stay.
-  void hold_lines()
+  static void slide_between(const Planar_regions_3& regions, const std::vector<std::size_t>& around, Vertex_condition_3& condition)
+  {
+    constexpr double small_sine = 1e-3; // a guess; of the angle between planes
+    if(around.size() == 1)
+      condition = in_plane(regions.normal(around[0]));
+    if(around.size() == 2)
+      if(const Vector_3 line = regions.normal(around[0]).cross(regions.normal(around[1])); line.norm() > small_sine)
+        condition = on_line(line);
+  }
+
+  static Vertex_condition_3 in_plane(const Vector_3& n) { return Vertex_condition_3::in_plane(n[0], n[1], n[2]); }
+  static Vertex_condition_3 on_line(const Vector_3& d) { return Vertex_condition_3::on_line(d[0], d[1], d[2]); }
+
+  // Lets the vertices of lines inside of regions move along the axis of the line. Those where lines meet or end at the border of a
+  // region have no plane or line any more.
+  void hold_lines(const Planar_regions_3& regions)
   {
     const auto point = [&](const int v) { return Vector_3(m_mesh.source.col(v)); };
     const auto lines = sharp_edges_3(m_facets, m_mesh.marked_edges, point);
@@ -203,84 +204,69 @@ private:
       const auto& [v, w] = begin->first;
       const Vector_3 p = m_mesh.target.col(v), q = m_mesh.target.col(w);
       if(!leads_along_axis(p, q) || !std::binary_search(lines.begin(), lines.end(), begin->first)
-         || m_regions.region(begin->second[0] / 3) != m_regions.region((end - 1)->second[0] / 3))
+         || regions.region(begin->second[0] / 3) != regions.region((end - 1)->second[0] / 3))
         return;
-      const Matrix_3 along = Matrix_3::diagonal({ double(p[0] != q[0]), double(p[1] != q[1]), double(p[2] != q[2]) });
+      const Vector_3 axis(double(p[0] != q[0]), double(p[1] != q[1]), double(p[2] != q[2]));
       for(const int u : { v, w })
-        if(!m_mesh.is_free(u))
-          if(Matrix_3& projector = m_projectors[u - m_mesh.number_of_free_vertices]; projector != along)
-            projector = projector.trace() > 1.5 ? along : Matrix_3::Zero();
+        if(condition(u).kind() == Vertex_condition_3::IN_PLANE)
+          condition(u) = on_line(axis);
+        else if(condition(u).kind() == Vertex_condition_3::ON_LINE && projector_3(condition(u)) != Matrix_3::diagonal(axis))
+          condition(u) = Vertex_condition_3::in_boundary();
     });
   }
 
-  // Lets vertices that would stay, but are inside of curved patches of the target or on curves between patches, slide on these. A
-  // patch is curved at a vertex if a facet there has no coplanar neighbour, or almost coplanar ones that lead around a bend.
-  template <typename Predicate>
-  void slide_on_curved_patches(const Predicate& is_constrained)
+  // Lets vertices without a plane or line that are inside of curved patches of the target or on curves between patches slide on
+  // these, and others stay. A patch is curved at a vertex if a facet there has no coplanar neighbour, or almost coplanar ones that
+  // lead around a bend.
+  void slide_on_curved_patches(const Planar_regions_3& regions)
   {
     std::vector<int> sizes(m_facets.size(), 0); // of the regions
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-      ++sizes[m_regions.region(f)];
+      ++sizes[regions.region(f)];
     std::vector<bool> is_curved(m_mesh.number_of_vertices(), false);
-    std::vector<std::array<std::size_t, 3> > triangles;
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-    {
-      const auto& [u, v, w] = m_facets[f];
-      triangles.push_back({ std::size_t(u), std::size_t(v), std::size_t(w) });
-      if(sizes[m_regions.region(f)] == 1 || !m_regions.is_planar(m_regions.region(f)))
-        is_curved[u] = is_curved[v] = is_curved[w] = true;
-    }
-    const int first = m_mesh.number_of_free_vertices;
-    for(int v = first; v < m_mesh.number_of_vertices(); ++v)
-      is_curved[v] = is_curved[v] && m_projectors[v - first].is_zero() && !is_constrained(v);
-    if(std::find(is_curved.begin() + first, is_curved.end(), true) == is_curved.end())
-      return;
+      for(const int v : m_facets[f])
+        if(slides_in_boundary(v) && (sizes[regions.region(f)] == 1 || !regions.is_planar(regions.region(f))))
+          is_curved[v] = true;
+    const bool are_some_curved = std::find(is_curved.begin(), is_curved.end(), true) != is_curved.end();
+    const std::optional<Triangulated_surface_3> surface = are_some_curved ? std::optional(target_surface()) : std::nullopt;
+    for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
+      if(slides_in_boundary(v))
+        condition(v) = is_curved[v] && surface->condition(v).is_sliding() ? surface->condition(v)
+                                                                          : Vertex_condition_3::at_target();
+  }
+
+  Triangulated_surface_3 target_surface() const
+  {
     std::vector<std::array<double, 3> > points;
     for(int v = 0; v < m_mesh.number_of_vertices(); ++v)
       points.push_back(coordinates(m_mesh.target.col(v)));
+    std::vector<std::array<std::size_t, 3> > triangles;
+    for(const auto& [u, v, w] : m_facets)
+      triangles.push_back({ std::size_t(u), std::size_t(v), std::size_t(w) });
     std::vector<std::array<std::size_t, 2> > features;
     for(const auto& [v, w] : m_mesh.marked_edges)
       features.push_back({ std::size_t(v), std::size_t(w) });
-    const Triangulated_surface_3 surface(points, triangles, features);
-    m_surfaces.resize(m_projectors.size());
-    for(int v = first; v < m_mesh.number_of_vertices(); ++v)
-      if(const Vertex_condition_3& condition = surface.condition(v); is_curved[v] && condition.is_sliding())
-      {
-        m_surfaces[v - first] = condition;
-        m_projectors[v - first] = put_on_surface_3(condition, m_mesh.target.col(v)).second;
-      }
+    return Triangulated_surface_3(points, triangles, features);
   }
 
-  bool has_vertex_on_surface(const std::size_t facet) const
-  {
-    return !m_surfaces.empty() && std::any_of(m_facets[facet].begin(), m_facets[facet].end(), [&](const int v)
-    { return !m_mesh.is_free(v) && m_surfaces[v - m_mesh.number_of_free_vertices].is_sliding(); });
-  }
-
-  CGAL::Orientation orientation(const Matrix3Xd& positions, const std::size_t facet) const
+  static CGAL::Orientation orientation(const Matrix3Xd& positions, const std::array<int, 3>& facet, const int axis)
   {
     using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
-    const int longest = m_regions.normal(m_regions.region(facet)).cwiseAbs().largest_index();
     const auto point = [&](const int k)
-    {
-      const auto p = positions.col(m_facets[facet][k]);
-      return Point_2(p[(longest + 1) % 3], p[(longest + 2) % 3]);
-    };
+    { return Point_2(positions((axis + 1) % 3, facet[k]), positions((axis + 2) % 3, facet[k])); };
     return CGAL::orientation(point(0), point(1), point(2));
   }
 
   const Numbered_mesh_3& m_mesh;
-  std::vector<std::array<int, 3> > m_facets;
-  Planar_regions_3 m_regions;
-  Projectors_3 m_projectors; // at the targets, if a vertex is on a surface
-  std::vector<Vertex_condition_3> m_surfaces;
+  std::vector<std::array<int, 3> > m_facets; // of the boundary, with all vertices at their targets until they slide
+  Conditions_3 m_conditions;
 };
 
 // Puts vertices that slide where they may be, and evaluates their positions.
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, const Sliding_boundary_3& boundary, Matrix3Xd positions)
 {
-  positions = snapped(mesh, std::move(positions), boundary.projectors(), boundary.surfaces());
-  Map_3 map = evaluated_map(mesh, std::move(positions), boundary.projectors(), boundary.surfaces());
+  Map_3 map = evaluated_map(mesh, snapped(mesh, std::move(positions), boundary.conditions()), boundary.conditions());
   map.meets_boundary = map.meets_boundary && boundary.has_same_orientations(map.positions);
   return map;
 }

@@ -195,7 +195,7 @@ inline Similarity_3 alignment_3(const Numbered_mesh_3& mesh)
   }
   constexpr double regularization = 1e-9;
   Similarity_3 start = similarity_of_points_3(source, target, scale, regularization);
-  if(mesh.projectors.empty())
+  if(mesh.conditions.empty())
     return start;
   if(fixed.empty())
     start.source_center = start.image_center = mesh.source.rowwise().mean();

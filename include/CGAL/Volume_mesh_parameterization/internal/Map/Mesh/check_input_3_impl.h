@@ -180,7 +180,7 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
 {
   const Found_cells flat = find_cells(mesh, [&](const std::array<int, 4>& cell)
   {
-    return !mesh.projectors.empty()
+    return !mesh.conditions.empty()
            && are_kept_in_one_plane(cell, [&](const int v) { return mesh.projector(v); },
                                     [&](const int v) { return Vector_3(mesh.target.col(v)); });
   });

@@ -15,14 +15,30 @@
 #include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns whether a vertex is at its target until it slides, if it does.
-inline bool is_at_target_first(const Vertex_condition_3& condition)
-{ return condition.kind() == Vertex_condition_3::AT_TARGET || condition.is_sliding(); }
+// Returns whether a vertex is at its target first, and slides later.
+inline bool does_slide_later(const Vertex_condition_3& condition)
+{ return condition.is_sliding() || condition.kind() == Vertex_condition_3::IN_BOUNDARY; }
 
-// Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point. A vertex on a surface
-// or a curve stays until it slides.
+inline bool is_at_target_first(const Vertex_condition_3& condition)
+{ return condition.kind() == Vertex_condition_3::AT_TARGET || does_slide_later(condition); }
+
+using Conditions_3 = std::vector<Vertex_condition_3>;
+
+inline bool has_kind(const Conditions_3& conditions, const Vertex_condition_3::Kind kind)
+{
+  return std::any_of(conditions.begin(), conditions.end(), [&](const Vertex_condition_3& c) { return c.kind() == kind; });
+}
+
+inline bool are_some_on_surfaces(const Conditions_3& conditions)
+{ return has_kind(conditions, Vertex_condition_3::ON_SURFACE) || has_kind(conditions, Vertex_condition_3::ON_CURVE); }
+
+// Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point. A vertex that slides
+// stays until then.
 inline Matrix_3 projector_3(const Vertex_condition_3& condition)
 {
   const auto& [x, y, z] = condition.direction();
@@ -32,11 +48,8 @@ inline Matrix_3 projector_3(const Vertex_condition_3& condition)
     case Vertex_condition_3::FREE: return Matrix_3::Identity();
     case Vertex_condition_3::IN_PLANE: return Matrix_3::Identity() - Matrix_3::outer_product(n, n);
     case Vertex_condition_3::ON_LINE: return Matrix_3::outer_product(n, n);
-    case Vertex_condition_3::AT_TARGET:
-    case Vertex_condition_3::ON_SURFACE:
-    case Vertex_condition_3::ON_CURVE: return Matrix_3::Zero();
+    default: return Matrix_3::Zero();
   }
-  return Matrix_3::Zero();
 }
 
 // Returns the point to which a vertex is put back on its surface or curve, and the projector onto the directions in which it may

@@ -203,7 +203,7 @@ inline Newton_result_3 minimize_energy_3(Newton_system_3& system, const Cell_ene
       return OK;
     if(!iterate.direction.is_usable())
       return ERROR_LINEAR_SOLVER_FAILED;
-    if(iterate.step_length == 0 && system.unknowns().are_some_on_surfaces())
+    if(iterate.step_length == 0 && are_some_on_surfaces(system.unknowns().conditions()))
     {
       reason = "No step lowers the energy, because vertices meet folds of their surface. A finer surface has smaller folds.";
       return minimizer.is_converged(small_gain) ? OK : ERROR_NOT_CONVERGED;

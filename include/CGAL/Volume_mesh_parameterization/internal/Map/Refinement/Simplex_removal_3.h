@@ -39,7 +39,7 @@ class Degenerate_simplices_3
 public:
   Degenerate_simplices_3(const Body_3& body, const std::vector<bool>& is_prescribed,
                          const std::vector<std::array<double, 3> >& targets,
-                         const std::vector<Vertex_condition_3>& conditions = {})
+                         const std::vector<Vertex_condition_3>& conditions)
     : m_is_prescribed(is_prescribed), m_targets(targets), m_conditions(conditions), m_links(is_prescribed.size())
   {
     for(const std::array<std::size_t, 3>& facet : body.boundary)
@@ -121,7 +121,7 @@ private:
 
   const std::vector<bool>& m_is_prescribed;
   const std::vector<std::array<double, 3> >& m_targets;
-  const std::vector<Vertex_condition_3> m_conditions; // none if all are at their targets or free
+  const std::vector<Vertex_condition_3>& m_conditions;
   std::vector<std::vector<Simplex_3> > m_links; // in the boundary, as edges
 };
 

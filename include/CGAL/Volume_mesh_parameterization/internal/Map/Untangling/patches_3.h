@@ -134,8 +134,8 @@ struct Patch_mesh_3
     mesh.alignment = whole.alignment;
     if(number_of_free_vertices < number_of_moving_vertices)
       for(int i = number_of_free_vertices; i < mesh.number_of_vertices(); ++i)
-        mesh.projectors.push_back(i < number_of_moving_vertices ? whole.projector(vertices[i])
-                                                                : Matrix_3::Zero());
+        mesh.conditions.push_back(i < number_of_moving_vertices ? whole.condition(vertices[i])
+                                                                : Vertex_condition_3::at_target());
   }
 
   // Puts the images of the vertices that move back to the whole mesh.

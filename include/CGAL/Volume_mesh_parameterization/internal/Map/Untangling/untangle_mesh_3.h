@@ -189,7 +189,7 @@ inline Matrix3Xd first_images_3(const Numbered_mesh_3& mesh)
     return points;
   }
   Matrix3Xd result = moved(*mesh.alignment, mesh.source);
-  for(int axis = 0; axis < 3 && !mesh.projectors.empty(); ++axis)
+  for(int axis = 0; axis < 3 && !mesh.conditions.empty(); ++axis)
   {
     std::vector<double> targets;
     double misfit = 0, spread = 0;

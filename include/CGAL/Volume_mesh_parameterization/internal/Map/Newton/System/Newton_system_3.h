@@ -81,7 +81,7 @@ public:
   // fold does. Returns whether there are any.
   bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
   {
-    if(!m_unknowns.are_some_on_surfaces())
+    if(!are_some_on_surfaces(m_unknowns.conditions()))
       return false;
     Positions gradient = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, gradient);

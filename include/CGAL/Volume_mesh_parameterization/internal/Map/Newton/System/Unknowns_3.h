@@ -36,16 +36,23 @@ public:
       }
   }
 
-  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line. Some are on
-  // surfaces, if there are any.
-  explicit Unknowns_3(const std::vector<Matrix_3>& projectors, const std::vector<Vertex_condition_3>& surfaces = {})
+  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line.
+  explicit Unknowns_3(const std::vector<Matrix_3>& projectors)
     : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].is_zero(); })
   {
     for(const int v : m_vertices)
-    {
       m_projectors.push_back(projectors[v]);
-      if(!surfaces.empty())
-        m_surfaces.push_back(surfaces[v]);
+  }
+
+  // The vertices that may leave their targets. Those on surfaces cannot move until projectors are renewed.
+  explicit Unknowns_3(const Conditions_3& conditions)
+    : Unknowns_3(static_cast<int>(conditions.size()),
+                 [&](const int v) { return conditions[v].kind() != Vertex_condition_3::AT_TARGET; })
+  {
+    for(const int v : m_vertices)
+    {
+      m_conditions.push_back(conditions[v]);
+      m_projectors.push_back(projector_3(conditions[v]));
     }
   }
 
@@ -58,8 +65,8 @@ public:
     {
       if(!m_projectors.empty())
         result.m_projectors.push_back(m_projectors[row(v)]);
-      if(!m_surfaces.empty())
-        result.m_surfaces.push_back(m_surfaces[row(v)]);
+      if(!m_conditions.empty())
+        result.m_conditions.push_back(m_conditions[row(v)]);
     }
     return result;
   }
@@ -93,17 +100,17 @@ public:
   void put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
   {
     for_each_on_surface(is_parallel, [&](const int row)
-    { positions.col(vertex(row)) = scale * put_on_surface_3(m_surfaces[row], positions.col(vertex(row)) / scale).first; });
+    { positions.col(vertex(row)) = scale * put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale).first; });
   }
 
   // Lets vertices on surfaces move in the tangent planes at their positions from now on.
   void renew_projectors(const Matrix3Xd& positions, const double scale, const bool is_parallel)
   {
     for_each_on_surface(is_parallel, [&](const int row)
-    { m_projectors[row] = put_on_surface_3(m_surfaces[row], positions.col(vertex(row)) / scale).second; });
+    { m_projectors[row] = put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale).second; });
   }
 
-  bool are_some_on_surfaces() const { return !m_surfaces.empty(); }
+  const Conditions_3& conditions() const { return m_conditions; }
 
   // Holds vertices on surfaces, until projectors are renewed. Returns whether there are any to be held.
   template <typename Predicate>
@@ -154,9 +161,9 @@ private:
   void for_each_on_surface(const bool is_parallel, const Function& f) const
   {
     constexpr int rows_per_range = 64; // a guess
-    for_each_in_ranges(is_parallel, static_cast<int>(m_surfaces.size()), rows_per_range, [&](const int row)
+    for_each_in_ranges(is_parallel, static_cast<int>(m_conditions.size()), rows_per_range, [&](const int row)
     {
-      if(m_surfaces[row].is_sliding())
+      if(m_conditions[row].is_sliding())
         f(row);
     });
   }
@@ -164,23 +171,20 @@ private:
   std::vector<int> m_rows;                   // of each vertex
   std::vector<int> m_vertices;               // of each row
   std::vector<Matrix_3> m_projectors; // of each row; none if all directions are free
-  std::vector<Vertex_condition_3> m_surfaces; // of each row; none if no vertex is on one
+  Conditions_3 m_conditions;          // of each row; none if they are not known, and no vertex is on a surface
 };
 
-// The free vertices, and those of the others that may move in the directions of their projectors, or on surfaces.
-inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const std::vector<Matrix_3>& projectors,
-                                const std::vector<Vertex_condition_3>& surfaces = {})
+// The free vertices, and those of the others that may leave their targets by conditions.
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh, const Conditions_3& conditions)
 {
-  if(projectors.empty())
+  if(conditions.empty())
     return Unknowns_3(mesh.number_of_vertices(), [&](const int v) { return mesh.is_free(v); });
-  std::vector<Matrix_3> of_all(mesh.number_of_free_vertices, Matrix_3::Identity());
-  of_all.insert(of_all.end(), projectors.begin(), projectors.end());
-  std::vector<Vertex_condition_3> surfaces_of_all(surfaces.empty() ? 0 : mesh.number_of_free_vertices);
-  surfaces_of_all.insert(surfaces_of_all.end(), surfaces.begin(), surfaces.end());
-  return Unknowns_3(of_all, surfaces_of_all);
+  Conditions_3 of_all(mesh.number_of_free_vertices);
+  of_all.insert(of_all.end(), conditions.begin(), conditions.end());
+  return Unknowns_3(of_all);
 }
 
-inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh) { return free_vertices(mesh, mesh.projectors); }
+inline Unknowns_3 free_vertices(const Numbered_mesh_3& mesh) { return free_vertices(mesh, mesh.conditions); }
 
 inline Unknowns_3 all_vertices(const Numbered_mesh_3& mesh)
 {
