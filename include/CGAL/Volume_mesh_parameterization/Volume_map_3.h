@@ -178,9 +178,6 @@ private:
   template <typename C3t3, typename VertexUVWMap>
   static Arrays arrays_of(const C3t3& c3t3, const VertexUVWMap& uvw_map)
   {
-    static_assert(internal::Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
-    static_assert(internal::Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
-                  "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
     internal::Body_of_complex_3<C3t3> body(c3t3);
     return { std::move(body.points), std::move(body.cells), internal::points_of(body.vertices, uvw_map) };
   }

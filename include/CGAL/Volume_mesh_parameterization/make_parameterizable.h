@@ -168,7 +168,6 @@ template <typename C3t3, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t make_parameterizable(C3t3& c3t3, const CGAL_NP_CLASS& np = parameters::default_values())
 {
   using Vertex_handle = typename C3t3::Vertex_handle;
-  static_assert(internal::Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
   internal::Body_of_complex_3<C3t3> body(c3t3);
   const std::vector<internal::Insertion_3> insertions = internal::make_parameterizable_3<Vertex_handle>(
     body, np, [&](const std::size_t v) { return body.vertices[v]; });

@@ -194,14 +194,14 @@ struct Sliding_hexahedra
   explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
   Sliding_hexahedra(const Body& body, const Hexahedra_3& start)
-    : linear_solver(solver), surface(VMP::internal::Mapped_soup_3(body.soup, body.images)), start(start),
+    : linear_solver(solver), surface(PM::internal::Mapped_soup_3(body.soup, body.images)), start(start),
       freedoms(PM::internal::freedoms_3(start, surface)),
       hexahedra(start, freedoms, surface, linear_solver, false, budget)
   {}
 
   static Hexahedra_3 boxes(const Body& body, const double spacing)
   {
-    const VMP::internal::Mapped_soup_3 soup(body.soup, body.images);
+    const PM::internal::Mapped_soup_3 soup(body.soup, body.images);
     const PM::internal::Body_with_domain_3 mapped(soup, false);
     const PM::internal::Box_grid_3 grid(soup.cells, mapped.images, {}, spacing);
     const VMP::internal::Budget budget;

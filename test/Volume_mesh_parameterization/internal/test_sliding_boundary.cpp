@@ -15,7 +15,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <random>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -204,6 +206,50 @@ TEST_CASE("Constrained vertices of the boundary stay")
   CHECK(result.number_of_sliding_vertices == number_of_boundary_vertices - number_of_corners - 1);
   CHECK(result.energy > 5.2502);
   CHECK(has_same_bits(constrained->second, complex.uvw.at(constrained->first)));
+}
+
+TEST_CASE("Vertices slide by their conditions, too, also beside others that are in planes")
+{
+  const auto map = [](Complex& complex, const std::function<Condition(const Complex::Point_3&)>& condition)
+  {
+    std::unordered_map<Complex::Vertex_handle, Condition> conditions;
+    for(const auto& entry : complex.target)
+      conditions.emplace(entry.first, condition(entry.first->point()));
+    return CGAL::stretch_minimizing_volume_parameterization(
+      std::as_const(complex.c3t3), complex.uvw_map(),
+      params::boundary_map(complex.boundary_map()).energy(VMP::Symmetric_Dirichlet_energy_3())
+             .vertex_condition_map(VMP::make_vertex_condition_map(std::as_const(conditions))));
+  };
+  const auto turned_box = [](const Vector3d& p) -> Vector3d { return oblique * (box(p) + Vector3d(0.7, 0, 0)); };
+  Complex fixed(stirred_cube(turned_box)), sliding(stirred_cube(turned_box)), by_option(stirred_cube(turned_box));
+  const double energy = map(fixed, [](const auto&) { return Condition::at_target(); }).energy;
+  const Parameterization_result result = map(sliding, [](const auto&) { return Condition::in_boundary(); });
+  CHECK(result.energy < 0.99 * energy);
+  CHECK(result.number_of_sliding_vertices == number_of_boundary_vertices - number_of_corners);
+  CHECK(result.energy == CGAL::stretch_minimizing_volume_parameterization(
+    std::as_const(by_option.c3t3), by_option.uvw_map(),
+    params::boundary_map(by_option.boundary_map()).energy(VMP::Symmetric_Dirichlet_energy_3())
+           .do_slide_boundary(true)).energy);
+  CHECK(image(sliding) == image(by_option));
+
+  // the top keeps its height, and vertices of the walls next to it stay
+  Complex mixed(stirred_cube(box));
+  REQUIRE(map(mixed, [](const auto& p) { return p.z() == n ? Condition::in_plane(0, 0, 1) : Condition::in_boundary(); }).status
+          == VMP::OK);
+  CHECK(has_positive_cells(mixed.c3t3, [&](const auto v) { return mixed.uvw.at(v); }));
+  const Matrix3Xd u = image(mixed);
+  double largest_move = 0;
+  for(int v = mixed.mesh.number_of_free_vertices; v < mixed.mesh.number_of_vertices(); ++v)
+  {
+    const Vector3d p = mixed.mesh.source.col(v), q = mixed.mesh.target.col(v);
+    for(int i = 0; i < 3; ++i)
+      if((p[i] == 0 || p[i] == n) && (p[2] < n || i == 2))
+        CHECK(u(i, v) == q[i]);
+    if(p[2] == n - 1)
+      CHECK(u.col(v) == q);
+    largest_move = (std::max)(largest_move, p[2] < n ? (u.col(v) - q).norm() : 0);
+  }
+  CHECK(largest_move > 1e-3);
 }
 
 TEST_CASE("Vertices of curved regions slide on the triangles of the target, and on the curves between patches")

@@ -15,8 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/add_VTU_data.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_VTU.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/cell_quality_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/ranges.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
 namespace CGAL::Volume_mesh_parameterization {

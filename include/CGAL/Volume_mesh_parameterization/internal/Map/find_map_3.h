@@ -20,8 +20,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide in the boundary. If cells are too flat
-// for the linear solver, their vertices move before all others.
+// Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide in the boundary. If cells are
+// too flat for the linear solver, their vertices move before all others.
 inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
                                                   const Search_start_3& start)
 {

@@ -117,6 +117,13 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
   {
     sliding.emplace(mesh);
     found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
+    if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && are_some_on_surfaces(sliding->conditions()))
+    { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
+      Newton_system_3 fixed(mesh, free_vertices(mesh), problem.solver);
+      found = minimize_map_3(fixed, problem, std::move(found));
+      if(found.status == ERROR_LINEAR_SOLVER_FAILED || !found.map.is_solution() || progress.is_interrupted())
+        return found;
+    }
   }
   Newton_system_3 system(mesh, free_vertices(mesh, sliding ? sliding->conditions() : mesh.conditions), problem.solver);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)

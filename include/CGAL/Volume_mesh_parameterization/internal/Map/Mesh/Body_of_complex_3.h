@@ -42,6 +42,7 @@ using Corners_of_complex = decltype(std::declval<const C3t3&>().vertices_in_comp
 template <typename C3t3>
 struct Body_of_complex_3 : Body_3
 {
+  static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
   static_assert(!is_periodic<typename C3t3::Triangulation>,
                 "c3t3 must not be periodic: a vertex of a periodic triangulation has several points, and so several images.");
   using Vertex_handle = typename C3t3::Vertex_handle;
@@ -118,6 +119,8 @@ private:
 template <typename Vertex_handle, typename VertexPointMap>
 std::vector<std::array<double, 3> > points_of(const std::vector<Vertex_handle>& vertices, const VertexPointMap& map)
 {
+  static_assert(Is_map_of<VertexPointMap, Vertex_handle>::value,
+                "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
   std::vector<std::array<double, 3> > result;
   result.reserve(vertices.size());
   for(const Vertex_handle v : vertices)

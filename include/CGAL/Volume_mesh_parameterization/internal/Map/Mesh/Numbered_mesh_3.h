@@ -92,7 +92,7 @@ struct Numbered_mesh_3
   double global_number_of_cells() const { return communicator->sum(static_cast<double>(number_of_own_cells())); }
   bool is_free(const int v) const { return v < number_of_free_vertices; }
 
-  // What a vertex may do before some slide.
+  // The condition of a vertex before some slide.
   Vertex_condition_3 condition(const int v) const
   {
     return is_free(v) ? Vertex_condition_3::free()

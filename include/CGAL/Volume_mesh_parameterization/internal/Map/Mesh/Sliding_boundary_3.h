@@ -107,10 +107,10 @@ private:
   std::vector<bool> m_is_planar;
 };
 
-// What vertices may do when some slide. Those in the boundary keep its image: its planar regions are to cover the same polygons, so
-// a vertex inside a region moves parallel to its plane, and one between two regions along their line. Sharp edges of the body that
-// lead along an axis inside of a region are lines, too, on which vertices stay. Vertices of curved patches move on their
-// triangles, and between patches on the curve. Corners stay at their targets.
+// Conditions of vertices that slide. The planar regions of the boundary are to cover the same polygons: a vertex inside a region
+// moves parallel to its plane, and one between two regions along their line. Sharp edges of the body that lead along an axis
+// inside of a region are lines, too, on which vertices stay. Vertices of curved patches move on the triangles, and between patches
+// on the curve. Corners stay at their targets.
 //
 // While no cell is inverted, no facet of the boundary can be turned over, as it would have to be flat, and
 // its cell with it, in between. And regions of facets that are not turned over cover each point as often

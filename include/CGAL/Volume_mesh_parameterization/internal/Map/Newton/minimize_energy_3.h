@@ -41,7 +41,7 @@ public:
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
     m_iterate.energy_of_other_cells = system.energy_of_other_cells(energy, m_iterate.u);
-    system.renew_projectors(m_iterate.u);
+    system.move_from(m_iterate.u);
   }
 
   const Newton_iterate_3& iterate() const { return m_iterate; }
@@ -61,7 +61,7 @@ public:
   {
     m_iterate.u = part.u;
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
-    m_system.renew_projectors(m_iterate.u);
+    m_system.move_from(m_iterate.u);
   }
 
   // If the body may turn, the matrix is singular. It may then fail to be definite where the gradient is nothing but rounding.
@@ -90,7 +90,7 @@ private:
       = m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
                        [this] { return far_line_search_3(m_system, m_energy, m_iterate); });
     if(has_moved)
-      m_system.renew_projectors(m_iterate.u);
+      m_system.set_projectors(m_iterate.projectors);
     return has_moved;
   }
 

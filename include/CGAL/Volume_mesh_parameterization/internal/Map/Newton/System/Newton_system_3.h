@@ -66,18 +66,19 @@ public:
     m_references = references;
   }
 
-  // Returns positions after a step along directions, with vertices put back on their surfaces.
-  Positions moved(const Positions& u, const double length, const Positions& d) const
+  // Returns positions after a step along directions, with vertices put back on their surfaces, and the projectors there.
+  std::pair<Positions, std::vector<Matrix_3> > moved(const Positions& u, const double length, const Positions& d) const
   {
     Positions result = u + length * d;
-    m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
-    return result;
+    std::vector<Matrix_3> projectors = m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
+    return { std::move(result), std::move(projectors) };
   }
 
-  // Lets vertices on surfaces move in the tangent planes at positions from now on.
-  void renew_projectors(const Positions& u) { m_unknowns.renew_projectors(u, m_scale, m_mesh.is_parallel); }
+  // Lets vertices on surfaces move in the tangent planes at these positions from now on.
+  void move_from(Positions u) { set_projectors(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel)); }
+  void set_projectors(std::vector<Matrix_3> projectors) { m_unknowns.set_projectors(std::move(projectors)); }
 
-  // Holds vertices, until projectors are renewed, that a step would lead uphill after they are put back on their surfaces, as a
+  // Holds vertices, until projectors are set, that a step would lead uphill after they are put back on their surfaces, as a
   // fold does. Returns whether there are any.
   bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
   {
@@ -85,7 +86,7 @@ public:
       return false;
     Positions gradient = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, gradient);
-    const Positions step = moved(u, length, d) - u;
+    const Positions step = moved(u, length, d).first - u;
     return m_unknowns.hold_if([&](const int row) { return gradient.col(row).dot(step.col(m_unknowns.vertex(row))) > 0; });
   }
 

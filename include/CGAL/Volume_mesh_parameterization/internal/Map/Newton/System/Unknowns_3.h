@@ -44,7 +44,7 @@ public:
       m_projectors.push_back(projectors[v]);
   }
 
-  // The vertices that may leave their targets. Those on surfaces cannot move until projectors are renewed.
+  // The vertices that may leave their targets. Those on surfaces cannot move until projectors are set.
   explicit Unknowns_3(const Conditions_3& conditions)
     : Unknowns_3(static_cast<int>(conditions.size()),
                  [&](const int v) { return conditions[v].kind() != Vertex_condition_3::AT_TARGET; })
@@ -96,23 +96,24 @@ public:
     return result;
   }
 
-  // Puts vertices back on their surfaces, of positions that are multiplied by a scale.
-  void put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
+  // Puts vertices back on their surfaces, of positions that are multiplied by a scale. Returns the projectors there.
+  std::vector<Matrix_3> put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
   {
+    std::vector<Matrix_3> result = m_projectors;
     for_each_on_surface(is_parallel, [&](const int row)
-    { positions.col(vertex(row)) = scale * put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale).first; });
+    {
+      const auto [point, projector] = put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale);
+      positions.col(vertex(row)) = scale * point;
+      result[row] = projector;
+    });
+    return result;
   }
 
-  // Lets vertices on surfaces move in the tangent planes at their positions from now on.
-  void renew_projectors(const Matrix3Xd& positions, const double scale, const bool is_parallel)
-  {
-    for_each_on_surface(is_parallel, [&](const int row)
-    { m_projectors[row] = put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale).second; });
-  }
+  void set_projectors(std::vector<Matrix_3> projectors) { m_projectors = std::move(projectors); }
 
   const Conditions_3& conditions() const { return m_conditions; }
 
-  // Holds vertices on surfaces, until projectors are renewed. Returns whether there are any to be held.
+  // Holds vertices on surfaces, until projectors are set. Returns whether there are any to be held.
   template <typename Predicate>
   bool hold_if(const Predicate& is_stuck)
   {

@@ -7,16 +7,16 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MAPPED_SOUP_3_H
-#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MAPPED_SOUP_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_MAPPED_SOUP_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_MAPPED_SOUP_3_H
 
-#include <CGAL/license/Volume_mesh_parameterization.h>
+#include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Support/arguments.h>
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 
-namespace CGAL::Volume_mesh_parameterization::internal {
+namespace CGAL::Polycube_meshing_3::internal {
 
 // Map of a complex or of arrays.
 struct Mapped_soup_3 : Tetrahedron_soup_3
@@ -28,9 +28,6 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
   template <typename C3t3, typename VertexUVWMap>
   Mapped_soup_3(const C3t3& c3t3, const VertexUVWMap uvw_map)
   {
-    static_assert(Is_complex<C3t3>::value, "c3t3 must be a complex: a triangulation has no subset of cells.");
-    static_assert(Is_map_of<VertexUVWMap, typename C3t3::Vertex_handle>::value,
-                  "uvw_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
     std::vector<typename C3t3::Triangulation::Vertex_handle> vertices;
     mesh_complex_3_to_tetrahedron_soup(c3t3, *this, vertices);
     images = points_of(vertices, uvw_map);
@@ -39,6 +36,6 @@ struct Mapped_soup_3 : Tetrahedron_soup_3
   std::vector<std::array<double, 3> > images;
 };
 
-} // namespace CGAL::Volume_mesh_parameterization::internal
+} // namespace CGAL::Polycube_meshing_3::internal
 
-#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SOUPS_MAPPED_SOUP_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_DOMAIN_MAPPED_SOUP_3_H
