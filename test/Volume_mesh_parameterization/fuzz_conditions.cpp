@@ -274,7 +274,7 @@ private:
         m_conditions[v] = random.one_in(10) ? random_condition(random) : Condition::on_surface(surface);
   }
 
-  // Slides on the image of the boundary, or on one part of it, or from other places to it.
+  // Slides in the boundary, perhaps beside other conditions, or on its image, on one part of it, or from other places to it.
   void slide_on_boundary(Random& random, Facets facets)
   {
     const bool is_on_part = random.one_in(4), is_moved = random.one_in(3);
@@ -285,6 +285,13 @@ private:
     for(std::size_t v = 0; v < m_points.size(); ++v)
       if(!vector(m_points[v]).allFinite())
         m_points[v] = m_soup.points[v];
+    if(random.one_in(3))
+    {
+      for(const std::size_t v : vertices_of(facets))
+        if(!random.one_in(5))
+          m_conditions[v] = random.one_in(10) ? random_condition(random) : Condition::in_boundary();
+      return;
+    }
     const VMP::Triangulated_surface_3 surface(m_points, facets);
     for(const std::size_t v : vertices_of(facets))
     {
@@ -352,6 +359,8 @@ private:
     const std::string vertex = "vertex " + std::to_string(v);
     if(condition.kind() == Condition::AT_TARGET)
       expect(image == target, vertex + " is at its target");
+    if(condition.kind() == Condition::IN_BOUNDARY) // facets that are nearly in one plane count as if they were
+      expect(distance_to_triangles(image, m_targets) <= 1e-6 * (size() + image.norm()), vertex + " is in the boundary");
     if(condition.is_sliding())
       expect(distance_to_surface(image) <= (1e-12 + std::numeric_limits<NT>::epsilon()) * (size() + image.norm()),
              vertex + " is on its surface");
@@ -374,9 +383,14 @@ private:
     const std::array<double, 3> q = { p[0], p[1], p[2] };
     if(m_triangles.empty())
       return std::abs(m_quadric.value(q)) / vector(m_quadric.gradient(q)).norm();
+    return distance_to_triangles(p, m_points);
+  }
+
+  double distance_to_triangles(const Vector3d& p, const std::vector<std::array<double, 3> >& points) const
+  {
     double result = std::numeric_limits<double>::infinity();
     for(const auto& [a, b, c] : m_triangles)
-      result = (std::min)(result, distance(p, vector(m_points[a]), vector(m_points[b]), vector(m_points[c])));
+      result = (std::min)(result, distance(p, vector(points[a]), vector(points[b]), vector(points[c])));
     return result;
   }
 

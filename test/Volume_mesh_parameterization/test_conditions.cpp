@@ -125,6 +125,8 @@ struct Problem
               return false;
           if(!is_along_axis && n.normalized().cross(d).norm() > rounding)
             return false;
+          break;
+        default: return false; // none slides here
       }
     }
     return true;

@@ -219,6 +219,8 @@ TEST_CASE("Truncated solutions of positive semi-definite systems lead to a map")
 
     Complex expected(mesh);
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag, double> usual;
-    CHECK(result.energy == Approx(parameterize(expected, usual, VMP::Boundary_mode::FIXED, do_slide).energy).epsilon(1e-5));
+    const double precision = do_slide ? 1e-3 : 1e-5; // on the folds of the wall of the ring, there are many minima
+    CHECK(result.energy
+          == Approx(parameterize(expected, usual, VMP::Boundary_mode::FIXED, do_slide).energy).epsilon(precision));
   }
 }
