@@ -3,7 +3,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_MODULE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_GMSH_MODULE_H
 
-#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <dlfcn.h>

@@ -6,7 +6,7 @@
 #include "cube_complex.h"
 
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

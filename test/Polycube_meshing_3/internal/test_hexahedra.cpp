@@ -30,6 +30,7 @@
 #include <vector>
 
 using PM::internal::Corners_to_improve;
+using Coordinates_3 = VMP::internal::Vector_3;
 
 namespace {
 
@@ -187,16 +188,17 @@ struct Sliding_hexahedra
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver;
   VMP::internal::Budget budget;
   PM::internal::Body_surface_3 surface;
+  PM::internal::Body_interfaces_3 interfaces;
+  PM::internal::Placed_hexahedra_3 placed;
   Hexahedra_3 start;
-  std::vector<PM::internal::Freedom_3> freedoms;
   PM::internal::Sliding_hexahedra_3 hexahedra;
 
   explicit Sliding_hexahedra(const Body& body, const double spacing = 1) : Sliding_hexahedra(body, boxes(body, spacing)) {}
 
   Sliding_hexahedra(const Body& body, const Hexahedra_3& start)
-    : linear_solver(solver), surface(PM::internal::Mapped_soup_3(body.soup, body.images)), start(start),
-      freedoms(PM::internal::freedoms_3(start, surface)),
-      hexahedra(start, freedoms, surface, linear_solver, false, budget)
+    : linear_solver(solver), surface(PM::internal::Mapped_soup_3(body.soup, body.images)), interfaces(body.soup, surface),
+      placed(PM::internal::placed_hexahedra_3(start, {}, interfaces)), start(placed.mesh),
+      hexahedra(placed, linear_solver, false, budget)
   {}
 
   static Hexahedra_3 boxes(const Body& body, const double spacing)
@@ -205,13 +207,14 @@ struct Sliding_hexahedra
     const PM::internal::Body_with_domain_3 mapped(soup, false);
     const PM::internal::Box_grid_3 grid(soup.cells, mapped.images, {}, spacing);
     const VMP::internal::Budget budget;
-    return PM::internal::pulled_back(mapped, grid.boxes([&](const std::vector<Vector3d>& centers)
+    return PM::internal::pulled_back(mapped, grid.boxes([&](const std::vector<Coordinates_3>& centers)
                                               { return PM::internal::preimages_3(mapped, centers, budget); }), budget);
   }
 
   std::ptrdiff_t number(const PM::internal::Freedom_3 freedom) const
   {
-    return std::count(freedoms.begin(), freedoms.end(), freedom);
+    return std::count_if(placed.positions.begin(), placed.positions.end(),
+                         [&](const PM::internal::Position_3& position) { return position.freedom == freedom; });
   }
 };
 
@@ -227,7 +230,7 @@ TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     for(int axis = 0; axis < 3; ++axis)
       mesh.points[v][axis] += is_outer[v] ? 0 : noise(engine);
-  const std::vector<Vector3d> before = mesh.points;
+  const std::vector<Coordinates_3> before = mesh.points;
   REQUIRE(smallest_determinant(mesh) < 0);
   REQUIRE(PM::internal::evaluated_hexahedra(mesh, false).status == VMP::ERROR_INVERTED_HEXAHEDRON);
 
@@ -292,7 +295,7 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
   CHECK(PM::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).minimum_scaled_jacobian > 0.2);
   const std::vector<K::Triangle_3> facets = ball.boundary_facets();
   for(std::size_t v = 0; v < sliding.start.points.size(); ++v)
-    if(sliding.freedoms[v] != PM::internal::Freedom_3::SPACE)
+    if(sliding.placed.positions[v].freedom != PM::internal::Freedom_3::SPACE)
       CHECK(distance(VMP::internal::coordinates(sliding.hexahedra.mesh().points[v]), facets) < 1e-13);
 }
 
@@ -315,7 +318,7 @@ TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the 
   CHECK(box.surface.nearest(Vector3d(0.5, 0.1, 1), Freedom_3::SPACE) == Vector3d(0.5, 0.1, 1));
   const auto projected = [&](const double y, const Freedom_3 freedom) -> Vector3d
   {
-    return box.surface.projector(Vector3d(0.5, y, 0), freedom) * Vector3d(1, 2, 3);
+    return box.surface.projector(Coordinates_3(0.5, y, 0), freedom) * Coordinates_3(1, 2, 3);
   };
   CHECK(projected(0.7, Freedom_3::SURFACE).isApprox(Vector3d(1, 2, 0)));
   CHECK(projected(0, Freedom_3::LINE).isApprox(Vector3d(1, 0, 0)));
@@ -540,23 +543,25 @@ TEST_CASE("Vertices that leave the surface come back to it, to its edges and its
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       Vector3d p = mesh.points[v];
-      if(straight.freedoms[v] != Freedom_3::NONE)
+      if(straight.placed.positions[v].freedom != Freedom_3::NONE)
         p += Vector3d(noise(engine), noise(engine), noise(engine));
-      mesh.points[v] = straight.surface.nearest(p, straight.freedoms[v]);
+      mesh.points[v] = straight.surface.nearest(p, straight.placed.positions[v].freedom);
     }
     REQUIRE(PM::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
 
     VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
     VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
     const VMP::internal::Budget budget;
-    PM::internal::Sliding_hexahedra_3 tangled(mesh, straight.freedoms, straight.surface, linear_solver, false, budget);
+    PM::internal::Placed_hexahedra_3 placed = straight.placed;
+    placed.mesh = mesh;
+    PM::internal::Sliding_hexahedra_3 tangled(placed, linear_solver, false, budget);
     tangled.leave_and_return();
     CHECK(PM::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Vector3d p = tangled.mesh().points[v];
-      CHECK((straight.surface.nearest(p, straight.freedoms[v]) - p).norm() < 1e-12);
-      if(straight.freedoms[v] == Freedom_3::NONE)
+      CHECK((straight.surface.nearest(p, straight.placed.positions[v].freedom) - p).norm() < 1e-12);
+      if(straight.placed.positions[v].freedom == Freedom_3::NONE)
         CHECK(tangled.mesh().points[v] == mesh.points[v]);
     }
   }
@@ -591,7 +596,7 @@ TEST_CASE("Worst angles are improved whatever lengths edges have, and thin layer
   const Body block(8, 0, same);
   Hexahedra_3 mesh = Sliding_hexahedra(block, 2).start;
   std::size_t number_moved = 0;
-  for(Vector3d& p : mesh.points)
+  for(Coordinates_3& p : mesh.points)
   {
     const bool is_in_middle = p == Vector3d(4, 4, 4);
     p[0] = p[0] == 2 ? 0.4 : p[0]; // a rectilinear grid with a thin layer
@@ -1325,26 +1330,24 @@ TEST_CASE("Subdomains that touch at an edge or a vertex are joined or parted unt
 TEST_CASE("what the boundary of hexahedra does not cover")
 {
   // Two walls, x = 0 and x = 10; one point is a quarter in front of the first, two are 3 and 2 in front of the second.
-  Eigen::Matrix3Xd positions(3, 6);
-  positions << 0, 0, 0, 10, 10, 10,
-               0, 4, 0, 0, 4, 0,
-               0, 0, 4, 0, 0, 4;
-  const std::vector<Vector3d> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
+  std::vector<Coordinates_3> positions = { { 0, 0, 0 }, { 0, 4, 0 }, { 0, 0, 4 }, { 10, 0, 0 }, { 10, 4, 0 }, { 10, 0, 4 } };
+  const auto move_second_wall = [&](const Coordinates_3& way)
+  { std::for_each(positions.begin() + 3, positions.end(), [&](Coordinates_3& p) { p += way; }); };
+  const std::vector<Coordinates_3> points = { { 0.25, 1, 1 }, { 7, 1, 1 }, { 12, 1, 1 } };
   const PM::internal::Body_surface_3 surface(points, { { 0, 1, 2 } }, {});
   const PM::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 3, 4, 5 } }, 0 };
   std::vector<PM::internal::Cover_of_vertex_3> covers(6);
   PM::internal::add_covers_3(covered, positions, 100, covers);
   REQUIRE(covers.size() == 6);
-  CHECK(covers[1].points == std::vector<Vector3d>{ points[0] });
-  CHECK(covers[5].points == std::vector<Vector3d>{ points[1], points[2] });
+  CHECK(covers[1].points == std::vector<Coordinates_3>{ points[0] });
+  CHECK(covers[5].points == std::vector<Coordinates_3>{ points[1], points[2] });
   CHECK(PM::internal::uncovered(positions, covers[0], 0.5) == 0);
   CHECK(PM::internal::uncovered(positions, covers[3], 0.5) == 2.5 * 2.5 + 1.5 * 1.5);
 
   // The whole wall comes nearer to one point, and goes away from the other; distances beside a triangle are to its edges.
-  positions.row(0).tail(3).setConstant(11);
+  move_second_wall({ 1, 0, 0 });
   CHECK(PM::internal::uncovered(positions, covers[3], 0.5) == 3.5 * 3.5 + 0.5 * 0.5);
-  positions.row(0).tail(3).setConstant(10);
-  positions.row(1).tail(3).array() += 5;
+  move_second_wall({ -1, 5, 0 });
   CHECK(std::abs(PM::internal::uncovered(positions, covers[3], 0.5)
                  - (std::pow(std::hypot(4, 3) - 0.5, 2) + std::pow(std::hypot(4, 2) - 0.5, 2))) < 1e-12);
 }
@@ -1352,20 +1355,17 @@ TEST_CASE("what the boundary of hexahedra does not cover")
 TEST_CASE("the middle of an edge across a valley is far")
 {
   // Two slopes that meet in the line y = z = 0, two triangles that lead from one crest to the other over it, and a third one.
-  const std::vector<Vector3d> points
+  const std::vector<Coordinates_3> points
     = { { -9, -2, 2 }, { 9, -2, 2 }, { -9, 0, 0 }, { 9, 0, 0 }, { -9, 2, 2 }, { 9, 2, 2 } };
   const PM::internal::Body_surface_3 surface(points, { { 0, 2, 1 }, { 1, 2, 3 }, { 2, 4, 3 }, { 3, 4, 5 } }, {});
-  Eigen::Matrix3Xd positions(3, 5);
-  positions << 0, 0, 4, 4, 4,
-              -1, 1, 1, -1, 2,
-               1, 1, 1, 1, 2;
+  const std::vector<Coordinates_3> positions = { { 0, -1, 1 }, { 0, 1, 1 }, { 4, 1, 1 }, { 4, -1, 1 }, { 4, 2, 2 } };
   const PM::internal::Covered_surface_3 covered = { &surface, { { 0, 1, 2 }, { 0, 2, 3 }, { 2, 1, 4 } }, 0 };
   std::vector<PM::internal::Cover_of_vertex_3> covers(5);
   const double distance = std::sqrt(0.5); // of a middle at z = 1 from the slopes
   PM::internal::add_covers_3(covered, positions, 0.7, covers);
   for(const auto& cover : covers)
     for(const auto& [of, edge] : cover.far_edges)
-      CHECK((of == &surface && positions(1, edge[0]) == -positions(1, edge[1])));
+      CHECK((of == &surface && positions[edge[0]][1] == -positions[edge[1]][1]));
   CHECK(covers[0].far_edges.size() == 3); // 0-1, and 0-2 of two triangles
   CHECK(covers[1].far_edges.size() == 1);
   CHECK(covers[2].far_edges.size() == 3);
@@ -1379,13 +1379,13 @@ TEST_CASE("the middle of an edge across a valley is far")
 
 TEST_CASE("rounding does not make corners of edges that vanish good")
 {
-  Eigen::Matrix3d edges = Eigen::Matrix3d::Identity();
-  edges.col(0) *= 1e-14;
+  VMP::internal::Matrix_3 edges = VMP::internal::Matrix_3::Identity();
+  edges.col(0) = { 1e-14, 0, 0 };
   CHECK(PM::internal::scaled_jacobian(edges) == Approx(1));
   CHECK(PM::internal::scaled_jacobian(edges, 0.01) == Approx(1e-12));
-  edges.col(0) *= 1e13;
+  edges.col(0) = { 0.1, 0, 0 };
   CHECK(PM::internal::scaled_jacobian(edges, 0.01) == Approx(1));
-  edges.col(0).setZero();
+  edges.col(0) = Coordinates_3::Zero();
   CHECK(PM::internal::scaled_jacobian(edges) == 0);
 }
 

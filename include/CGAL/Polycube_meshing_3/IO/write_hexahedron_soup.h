@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/check_hexahedra.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>

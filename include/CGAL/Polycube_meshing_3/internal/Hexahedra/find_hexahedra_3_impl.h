@@ -15,8 +15,8 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/balance_interfaces_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/fitted_to_interfaces.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_quadrangles_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/layers_at_interfaces.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/find_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/found_hexahedra_3.h>
 
@@ -37,7 +37,7 @@ inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
 inline Hexahedra_3 boxes_in_domain(const Body_with_domain_3& body, const Box_grid_3& grid, const Budget& budget)
 {
   Locations_3 locations;
-  Hexahedra_3 boxes = grid.boxes([&](const std::vector<Eigen::Vector3d>& centers)
+  Hexahedra_3 boxes = grid.boxes([&](const std::vector<Vector_3>& centers)
                                  { return locations = preimages_3(body, centers, budget); });
   for(const std::optional<Volume_map_3::Location>& location : locations)
     if(location)
@@ -45,10 +45,10 @@ inline Hexahedra_3 boxes_in_domain(const Body_with_domain_3& body, const Box_gri
   return boxes;
 }
 
-// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary; they
-// keep interfaces if there are any.
+// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                         const Hexahedra_3& boxes, Body_interfaces_3* const interfaces, const Budget& budget)
+                                         const Hexahedra_3& boxes, Body_interfaces_3& interfaces, const bool do_keep_interfaces,
+                                         const Budget& budget)
 {
   double volume = 0;
   for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
@@ -65,16 +65,19 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
     Hexahedra_3 padded = boxes;
     for(const Covered_faces_3& faces : layers)
       padded = Padding_3(padded, quadrangles_in(padded, faces), std::vector<int>(padded.cells.size(), 0)).result();
-    Fitted_hexahedra_3 start = interfaces != nullptr ? fitted_to_interfaces(body, padded, *interfaces, budget)
-                                                     : Fitted_hexahedra_3{ pulled_back(body, padded, budget), {} };
-    put_on_boundary(body.surface, start.mesh);
-    move_to_corners_3(body, problem.spacing, start.positions, start.mesh);
+    std::vector<Interface_quadrangle_3> quadrangles;
+    if(do_keep_interfaces)
+      padded = with_layers_at_interfaces(body, padded, interfaces, budget, quadrangles);
+    const Hexahedra_3 mesh = pulled_back(body, padded, budget);
+    if(mesh.cells.empty())
+      break; // the budget is exhausted
+    Placed_hexahedra_3 start = placed_hexahedra_3(mesh, quadrangles, interfaces);
+    move_to_corners_3(body, problem.spacing, start);
     for(const bool may_leave_surface : { false, true })
     {
       if(budget.is_exhausted() || (may_leave_surface && is_at_least(best.result, bad_scaled_jacobian)))
         break;
-      Sliding_hexahedra_3 hexahedra(start.mesh, freedoms_3(start.mesh, body.surface), body.surface, problem.solver,
-                                    body.is_parallel, budget, start.positions);
+      Sliding_hexahedra_3 hexahedra(start, problem.solver, body.is_parallel, budget);
       Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run(may_leave_surface);
     }
   }
@@ -92,13 +95,13 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
     return hexahedra;
   };
   const auto make_staircases = [&](const Budget& part)
-  { return evaluate(best_hexahedra_3(problem, body, boxes, nullptr, part)); };
+  { return evaluate(best_hexahedra_3(problem, body, boxes, interfaces, false, part)); };
   std::optional<Best_hexahedra_3> staircases;
   if(budget.is_limited()) // they are far faster than what follows, which may then have all of the time that is left
     staircases = make_staircases(budget.part(0.5));
   Hexahedra_3 separated = boxes;
   Subdomain_separation_3(separated).run(budget);
-  Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, &interfaces, budget) };
+  Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, interfaces, true, budget) };
   Best_hexahedra_3& best = chosen.best;
   if(best.result.has_valid_mesh)
   {
@@ -132,7 +135,7 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Body_interfaces_3 interfaces(body.soup, body.surface);
   Chosen_hexahedra_3 chosen = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
-    : Chosen_hexahedra_3{ best_hexahedra_3(problem, body, boxes, nullptr, budget), Staircases::ASKED };
+    : Chosen_hexahedra_3{ best_hexahedra_3(problem, body, boxes, interfaces, false, budget), Staircases::ASKED };
   put_on_planes(body.surface, chosen.best.mesh);
   return found_hexahedra_3(problem, body, interfaces, chosen, budget);
 }

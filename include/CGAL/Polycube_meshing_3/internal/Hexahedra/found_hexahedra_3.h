@@ -15,8 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/interface_distance_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/move_to_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 
 #include <map>
@@ -79,12 +78,12 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
 // of those of its two cuts into triangles.
 inline double volume_of_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
 {
-  const Eigen::Vector3d& origin = mesh.points[mesh.cells[c][0]]; // less rounding than by the origin of the axes
+  const Vector_3& origin = mesh.points[mesh.cells[c][0]]; // less rounding than by the origin of the axes
   double sum = 0;
   for(std::size_t side = 0; side < 6; ++side)
   {
     const std::array<std::size_t, 4> v = vertices_of(mesh, { c, side });
-    const auto point = [&](const std::size_t i) -> Eigen::Vector3d { return mesh.points[v[i % 4]] - origin; };
+    const auto point = [&](const std::size_t i) -> Vector_3 { return mesh.points[v[i % 4]] - origin; };
     for(std::size_t i = 0; i < 4; ++i)
       sum += point(i).dot(point(i + 1).cross(point(i + 2))) / 12;
   }
@@ -93,7 +92,7 @@ inline double volume_of_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
 
 inline double volume_of_tetrahedron(const Body_with_domain_3& body, const std::size_t c)
 {
-  const Eigen::Matrix3d edges = edge_matrix(body.points, body.soup.cells[c]);
+  const Matrix_3 edges = edge_matrix(body.points, body.soup.cells[c]);
   return edges.col(0).cross(edges.col(1)).dot(edges.col(2)) / 6;
 }
 
@@ -152,7 +151,7 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
   struct Sums
   {
     Hexahedral_mesh_patch patch;
-    Eigen::Vector3d center = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    Vector_3 center = Vector_3::Zero(), normal = Vector_3::Zero();
   };
   std::map<int, Sums> sums;
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -162,8 +161,8 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
     for(const std::array<std::size_t, 3>& triangle : { std::array<std::size_t, 3>{ a, b, c }, { a, c, d } })
     {
       const Facet_edges_3 X = edges_of_facet(triangle, [&](const std::size_t v) { return mesh.points[v]; });
-      sum.center += Eigen::Vector3d(area_of_facet(X) * (mesh.points[triangle[0]] + (X[0] + X[1]) / 3));
-      sum.normal += Eigen::Vector3d(X[0].cross(X[1]) / 2);
+      sum.center += area_of_facet(X) * (mesh.points[triangle[0]] + (X[0] + X[1]) / 3);
+      sum.normal += X[0].cross(X[1]) / 2;
       sum.patch.area += area_of_facet(X);
     }
     ++sum.patch.number_of_quadrangles;
@@ -184,11 +183,11 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
 inline std::string advice_3(const Body_with_domain_3& body, const Hexahedra_3& mesh)
 {
   constexpr double large_distortion = 10; // a guess
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  Vector_3 center = Vector_3::Zero();
   for(const std::size_t v : worst_hexahedron(mesh, scaled_jacobians(mesh)))
     center += mesh.points[v] / 8;
   const std::array<std::size_t, 4>& cell = body.soup.cells[body.map.nearest_image(exact_point(center))->cell];
-  const Eigen::Vector3d s = signed_singular_values_3(edge_matrix(body.images, cell) * edge_matrix(body.points, cell).inverse());
+  const Vector_3 s = signed_singular_values_3(edge_matrix(body.images, cell) * edge_matrix(body.points, cell).inverse());
   const double distortion = angle_distortion(s[0], s[2]);
   return distortion < large_distortion ? " Make the spacing smaller."
     : sentence(" The map distorts angles by a factor of ", distortion, " at the worst one. To lower the distortion, refine the "
@@ -230,7 +229,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
     result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
-                               " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
+                               " have no vertex, among them the one at ", describe(vector_of(result.corners_given_up[0])), ".");
 }
 
 // Returns the chosen hexahedra, with what is to be said of them.

@@ -32,23 +32,24 @@ public:
   using Pair = std::array<int, 2>; // subdomains, the smaller reference first
 
   Body_interfaces_3(const Tetrahedron_soup_3& soup, const Body_surface_3& boundary)
-    : m_points(vectors_of(soup.points))
+    : m_points(vectors_of(soup.points)), m_boundary(boundary)
   {
     collect_facets(soup);
     number_patches();
-    collect_lines(boundary_facets_3(soup.cells), boundary);
+    collect_lines(boundary_facets_3(soup.cells));
   }
 
   bool empty() const { return m_facets.empty(); }
+  const Body_surface_3& boundary() const { return m_boundary; }
 
   // Returns the corners of lines where just these patches meet.
-  const std::vector<Eigen::Vector3d>& corners(const Patches_3& patches) { return m_corners[patches]; }
+  const std::vector<Vector_3>& corners(const Patches_3& patches) { return m_corners[patches]; }
 
   const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
 
   // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: that of the least sum of its
   // distance and of the width times 1 minus the cosine between normals. Returns 0 if the subdomains have no interface.
-  std::size_t patch_of_quadrangle(const Eigen::Vector3d& center, const Eigen::Vector3d& normal, const double width,
+  std::size_t patch_of_quadrangle(const Vector_3& center, const Vector_3& normal, const double width,
                                   const Pair& pair)
   {
     std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };
@@ -150,7 +151,7 @@ private:
   }
 
   // Finds lines, and corners: where not two of them meet, or two of different patches, or a line crosses one of the boundary.
-  void collect_lines(const std::vector<std::array<std::size_t, 3> >& boundary_facets, const Body_surface_3& boundary)
+  void collect_lines(const std::vector<std::array<std::size_t, 3> >& boundary_facets)
   {
     std::set<std::array<std::size_t, 2> > edges_of_boundary;
     for_each_edge(boundary_facets, [&](const auto begin, auto) { edges_of_boundary.insert(begin->first); });
@@ -174,13 +175,14 @@ private:
       Patches_3 patches;
       for(const Patches_3& line : lines)
         patches.insert(line.begin(), line.end());
-      const Eigen::Vector3d& p = m_points[v];
-      if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && boundary.is_on_line(p)))
+      const Vector_3& p = m_points[v];
+      if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && m_boundary.is_on_line(p)))
         m_corners[patches].push_back(p);
     }
   }
 
-  const std::vector<Eigen::Vector3d> m_points;
+  const std::vector<Vector_3> m_points;
+  const Body_surface_3& m_boundary;
   std::vector<std::array<std::size_t, 3> > m_facets; // their normals point out of the first subdomain
   std::vector<Pair> m_pairs;                         // of each facet
   std::vector<std::size_t> m_patches;                // of each facet
@@ -188,7 +190,7 @@ private:
   std::map<Pair, Patches_3> m_patches_of_pair;
   std::vector<std::pair<std::array<std::size_t, 2>, Patches_3> > m_lines;
   std::set<Patches_3> m_patches_at_lines;
-  std::map<Patches_3, std::vector<Eigen::Vector3d> > m_corners; // by the patches that meet there
+  std::map<Patches_3, std::vector<Vector_3> > m_corners; // by the patches that meet there
   std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
 };
 

@@ -12,16 +12,14 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/AABB_trees_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
-#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/AABB_trees_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/Bbox_3.h>
-
-#include <Eigen/Dense>
 
 #include <map>
 #include <set>
@@ -39,9 +37,9 @@ public:
   explicit Body_surface_3(const Mapped_soup_3& soup)
     : m_facets(boundary_facets_3(soup.cells))
   {
-    const std::vector<Eigen::Vector3d> points = vectors_of(soup.points);
+    const std::vector<Vector_3> points = vectors_of(soup.points);
     for(const auto& [v, w] : sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; }))
-      if(leads_along_axis(to_vector(soup.images[v]), to_vector(soup.images[w])))
+      if(leads_along_axis(vector_of(soup.images[v]), vector_of(soup.images[w])))
         m_edges_of_lines.push_back({ v, w });
     build(points, m_edges_of_lines);
     find_ends(points);
@@ -49,12 +47,12 @@ public:
   }
 
   // Takes any facets, and edges as lines.
-  Body_surface_3(const std::vector<Eigen::Vector3d>& points, std::vector<std::array<std::size_t, 3> > facets,
+  Body_surface_3(const std::vector<Vector_3>& points, std::vector<std::array<std::size_t, 3> > facets,
                  const std::vector<std::array<std::size_t, 2> >& lines)
     : m_facets(std::move(facets))
   { build(points, lines); }
 
-  const std::vector<Eigen::Vector3d>& vertices() const { return m_vertices; }
+  const std::vector<Vector_3>& vertices() const { return m_vertices; }
 
   // Returns the edges of the lines, as points of the soup.
   const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
@@ -64,29 +62,29 @@ public:
 
   // Returns the freedom of a vertex of the boundary. Its image may be on an edge or in a corner of the domain: the vertex is held
   // there only if the body has a line there, too, and stays only in marked corners and where lines end, turn or meet.
-  Freedom_3 freedom(const Eigen::Vector3d& p) const
+  Freedom_3 freedom(const Vector_3& p) const
   {
-    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Eigen::Vector3d& end) { return are_equal(end, p); });
+    const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Vector_3& end) { return are_equal(end, p); });
     return is_end ? Freedom_3::NONE : is_on_line(p) ? Freedom_3::LINE : Freedom_3::SURFACE;
   }
 
   // Returns whether two points are the same up to rounding.
-  bool are_equal(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const { return (p - q).norm() <= m_rounding; }
+  bool are_equal(const Vector_3& p, const Vector_3& q) const { return (p - q).norm() <= m_rounding; }
 
-  bool is_on_line(const Eigen::Vector3d& p) const
+  bool is_on_line(const Vector_3& p) const
   { return !m_segments.empty() && m_lines.squared_distance(exact_point(p)) <= m_rounding * m_rounding; }
 
   bool has_lines() const { return !m_segments.empty(); }
 
   // Returns the point nearest to p among those where a vertex may be.
-  Eigen::Vector3d nearest(const Eigen::Vector3d& p, const Freedom_3 freedom) const
+  Vector_3 nearest(const Vector_3& p, const Freedom_3 freedom) const
   {
-    return freedom == Freedom_3::SURFACE ? to_vector(m_surface.closest_point(exact_point(p)))
-         : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
+    return freedom == Freedom_3::SURFACE ? vector_of(m_surface.closest_point(exact_point(p)))
+         : freedom == Freedom_3::LINE ? vector_of(m_lines.closest_point(exact_point(p))) : p;
   }
 
   // Returns a point with the very coordinate of each plane normal to an axis that holds a facet and, up to rounding, the point.
-  Eigen::Vector3d without_rounding(Eigen::Vector3d p) const
+  Vector_3 without_rounding(Vector_3 p) const
   {
     for(int axis = 0; axis < 3; ++axis)
       if(const auto plane = m_planes[axis].lower_bound(p[axis] - m_rounding_of_planes);
@@ -96,46 +94,46 @@ public:
   }
 
   // Returns the vertices of the facet nearest to a point.
-  const std::array<std::size_t, 3>& nearest_facet(const Eigen::Vector3d& p) const
+  const std::array<std::size_t, 3>& nearest_facet(const Vector_3& p) const
   { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
 
   // Returns the normal of the facet nearest to a point.
-  Eigen::Vector3d normal(const Eigen::Vector3d& p) const
+  Vector_3 normal(const Vector_3& p) const
   { return normal(*m_surface.closest_point_and_primitive(exact_point(p)).second); }
 
   // Returns the distance of a point from the box around the surface, a bound of that from the surface.
-  double distance_of_box(const Eigen::Vector3d& p) const
+  double distance_of_box(const Vector_3& p) const
   {
     const Bbox_3 box = m_surface.bbox();
-    const Eigen::Vector3d lower(box.xmin(), box.ymin(), box.zmin()), upper(box.xmax(), box.ymax(), box.zmax());
-    return (lower - p).cwiseMax(p - upper).cwiseMax(0).norm();
+    const Vector_3 lower(box.xmin(), box.ymin(), box.zmin()), upper(box.xmax(), box.ymax(), box.zmax());
+    return (lower - p).cwiseMax(p - upper).cwiseMax(Vector_3::Zero()).norm();
   }
 
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.
-  Eigen::Matrix3d projector(const Eigen::Vector3d& p, const Freedom_3 freedom) const
+  Matrix_3 projector(const Vector_3& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::SURFACE)
     {
-      const Eigen::Vector3d n = normal(p);
-      return Eigen::Matrix3d::Identity() - n * n.transpose();
+      const Vector_3 n = normal(p);
+      return Matrix_3::Identity() - Matrix_3::outer_product(n, n);
     }
     if(freedom == Freedom_3::LINE)
     {
-      const Eigen::Vector3d d
-        = to_vector(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
-      return d * d.transpose();
+      const Vector_3 d
+        = vector_of(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
+      return Matrix_3::outer_product(d, d);
     }
-    return Eigen::Matrix3d::Identity() * (freedom == Freedom_3::SPACE ? 1 : 0);
+    return freedom == Freedom_3::SPACE ? Matrix_3::Identity() : Matrix_3::Zero();
   }
 
 private:
   // Finds the points where lines end or turn, or more than two edges of them meet.
-  void find_ends(const std::vector<Eigen::Vector3d>& points)
+  void find_ends(const std::vector<Vector_3>& points)
   {
-    std::map<std::size_t, std::vector<Eigen::Vector3d> > directions;
+    std::map<std::size_t, std::vector<Vector_3> > directions;
     for(const auto& [v, w] : m_edges_of_lines)
     {
-      const Eigen::Vector3d d = (points[w] - points[v]).stableNormalized();
+      const Vector_3 d = (points[w] - points[v]).stableNormalized();
       directions[v].push_back(d);
       directions[w].push_back(-d);
     }
@@ -144,7 +142,7 @@ private:
         m_ends.push_back(points[v]);
   }
 
-  void find_corners(const std::vector<std::size_t>& marked, const std::vector<Eigen::Vector3d>& points)
+  void find_corners(const std::vector<std::size_t>& marked, const std::vector<Vector_3>& points)
   {
     const std::vector<bool> is_on_boundary = used_points(m_facets, points.size());
     for(const std::size_t v : marked)
@@ -154,7 +152,7 @@ private:
 
   using Kernel = AABB_trees_3::Kernel;
 
-  void build(const std::vector<Eigen::Vector3d>& points, const std::vector<std::array<std::size_t, 2> >& lines)
+  void build(const std::vector<Vector_3>& points, const std::vector<std::array<std::size_t, 2> >& lines)
   {
     std::set<std::size_t> vertices;
     for(const std::array<std::size_t, 3>& facet : m_facets)
@@ -179,23 +177,23 @@ private:
       m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x));
   }
 
-  static Kernel::Triangle_3 triangle(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 3>& facet)
+  static Kernel::Triangle_3 triangle(const std::vector<Vector_3>& points, const std::array<std::size_t, 3>& facet)
   {
     const auto& [a, b, c] = facet;
     return Kernel::Triangle_3(exact_point(points[a]), exact_point(points[b]), exact_point(points[c]));
   }
 
-  static Eigen::Vector3d normal(const Kernel::Triangle_3& triangle)
+  static Vector_3 normal(const Kernel::Triangle_3& triangle)
   {
-    return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
+    return vector_of(triangle[1] - triangle[0]).cross(vector_of(triangle[2] - triangle[0])).stableNormalized();
   }
 
   std::vector<std::array<std::size_t, 3> > m_facets;
-  std::vector<Eigen::Vector3d> m_vertices;
+  std::vector<Vector_3> m_vertices;
   AABB_trees_3::Triangles m_triangles; // of the facets
   std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
   AABB_trees_3::Segments m_segments; // of the lines
-  std::vector<Eigen::Vector3d> m_ends;
+  std::vector<Vector_3> m_ends;
   std::set<std::size_t> m_corners;
   double m_rounding; // distance of points on lines from the lines, by rounding
   std::array<std::set<double>, 3> m_planes; // the coordinates of facets that are normal to an axis

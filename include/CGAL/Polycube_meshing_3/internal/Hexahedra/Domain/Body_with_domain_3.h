@@ -30,7 +30,7 @@ inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
   if(soup.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   check_simplices(soup);
-  const std::vector<Eigen::Vector3d> points = vectors_of(soup.points), images = vectors_of(soup.images);
+  const std::vector<Vector_3> points = vectors_of(soup.points), images = vectors_of(soup.images);
   for(const std::array<std::size_t, 4>& cell : soup.cells)
     for(const std::size_t v : cell)
       if(!points[v].allFinite() || !images[v].allFinite())
@@ -53,7 +53,7 @@ inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
 struct Body_with_domain_3
 {
   const Mapped_soup_3& soup;
-  const std::vector<Eigen::Vector3d> points, images; // of the soup
+  const std::vector<Vector_3> points, images; // of the soup
   const Body_surface_3 surface;
   const Volume_map_3 map;
   const bool is_parallel; // may threads share the work?
@@ -67,13 +67,13 @@ struct Body_with_domain_3
 using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
 
 // Returns the preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.
-inline Locations_3 preimages_3(const Body_with_domain_3& body, const std::vector<Eigen::Vector3d>& points, const Budget& budget)
+inline Locations_3 preimages_3(const Body_with_domain_3& body, const std::vector<Vector_3>& points, const Budget& budget)
 {
   constexpr std::size_t size_of_block = 4096; // a guess
   Locations_3 result;
   result.reserve(points.size());
   std::vector<Volume_map_3::Point_3> block;
-  for(const Eigen::Vector3d& q : points)
+  for(const Vector_3& q : points)
   {
     block.push_back(exact_point(q));
     if(block.size() < size_of_block && result.size() + block.size() < points.size())
@@ -96,7 +96,7 @@ inline Hexahedra_3 pulled_back(const Body_with_domain_3& body, const Hexahedra_3
   Hexahedra_3 result = domain;
   result.images = domain.points;
   for(std::size_t v = 0; v < domain.points.size(); ++v) // padding may leave the domain
-    result.points[v] = to_vector((preimages[v] ? preimages[v] : body.map.nearest_preimage(exact_point(domain.points[v])))->point);
+    result.points[v] = vector_of((preimages[v] ? preimages[v] : body.map.nearest_preimage(exact_point(domain.points[v])))->point);
   return result;
 }
 
@@ -104,8 +104,8 @@ inline Hexahedra_3 pulled_back(const Body_with_domain_3& body, const Hexahedra_3
 inline void set_images(const Body_with_domain_3& body, Hexahedra_3& mesh)
 {
   double rounding = 0;
-  for(const Eigen::Vector3d& q : mesh.images)
-    rounding = (std::max)(rounding, 1e-14 * q.lpNorm<Eigen::Infinity>());
+  for(const Vector_3& q : mesh.images)
+    rounding = (std::max)(rounding, 1e-14 * q.cwiseAbs().maxCoeff());
   for_each_index(body.is_parallel, 0, mesh.points.size(), [&](const std::size_t v)
   {
     if(const auto image = body.map.nearest_image(exact_point(mesh.points[v])))
@@ -115,16 +115,6 @@ inline void set_images(const Body_with_domain_3& body, Hexahedra_3& mesh)
   });
 }
 
-// Puts the vertices of the boundary onto that of the body, from which rounding may keep them where cells of the map are thin.
-inline void put_on_boundary(const Body_surface_3& surface, Hexahedra_3& mesh)
-{
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    if(is_outer[v])
-      if(const Eigen::Vector3d q = surface.nearest(mesh.points[v], Freedom_3::SURFACE); !surface.are_equal(mesh.points[v], q))
-        mesh.points[v] = q;
-}
-
 // Gives vertices of the boundary in planes normal to an axis, as those of symmetry, the coordinate of the plane.
 inline void put_on_planes(const Body_surface_3& surface, Hexahedra_3& mesh)
 {
@@ -132,16 +122,6 @@ inline void put_on_planes(const Body_surface_3& surface, Hexahedra_3& mesh)
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     if(is_outer[v])
       mesh.points[v] = surface.without_rounding(mesh.points[v]);
-}
-
-// Returns the freedom of each vertex.
-inline std::vector<Freedom_3> freedoms_3(const Hexahedra_3& mesh, const Body_surface_3& surface)
-{
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  std::vector<Freedom_3> result;
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    result.push_back(is_outer[v] ? surface.freedom(mesh.points[v]) : Freedom_3::SPACE);
-  return result;
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
 
 #include <limits>
@@ -29,10 +29,9 @@ inline void set_facets(Hexahedra_3& domain)
   for(const Quadrangle_of_hexahedron& quadrangle : boundary_quadrangles_3(domain))
   {
     const std::array<std::size_t, 4> v = vertices_of(domain, quadrangle);
-    const Eigen::Vector3d& p = domain.points[v[0]];
-    const Eigen::Vector3d normal = (domain.points[v[1]] - p).cross(domain.points[v[3]] - p);
-    Eigen::Index axis;
-    normal.cwiseAbs().maxCoeff(&axis);
+    const Vector_3& p = domain.points[v[0]];
+    const Vector_3 normal = (domain.points[v[1]] - p).cross(domain.points[v[3]] - p);
+    const int axis = normal.cwiseAbs().largest_index();
     for(std::size_t i = 0; i < 4; ++i)
     {
       const auto& [first, second] = edge_of_quadrangle(v, i);
@@ -58,7 +57,7 @@ class Box_grid_3
 {
 public:
   // Finds the planes for the domain, the image of the cells, and for lines in its faces.
-  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<Eigen::Vector3d>& images,
+  Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<Vector_3>& images,
              const std::vector<std::array<std::size_t, 2> >& lines, const double spacing)
   {
     for(const std::array<std::size_t, 3>& facet : boundary_facets_3(cells))
@@ -82,7 +81,7 @@ public:
   template <typename Predicate>
   Hexahedra_3 boxes(const Predicate& are_inside) const
   {
-    std::vector<Eigen::Vector3d> centers;
+    std::vector<Vector_3> centers;
     for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
       for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
         for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
@@ -128,9 +127,9 @@ public:
   }
 
 private:
-  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& images)
+  bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<Vector_3>& images)
   {
-    const Eigen::Vector3d &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
+    const Vector_3 &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
     for(std::size_t axis = 0; axis < 3; ++axis)
       if(p[axis] == q[axis] && q[axis] == r[axis])
       {
@@ -143,7 +142,7 @@ private:
   }
 
   // Adds the planes across lines that leave room for a part of the spacing on both sides.
-  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<Eigen::Vector3d>& images,
+  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<Vector_3>& images,
                      const double spacing)
   {
     constexpr double smallest_part = 0.2; // a guess; less than lines of polycubes leave

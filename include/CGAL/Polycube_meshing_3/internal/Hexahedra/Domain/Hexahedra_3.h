@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
+#include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
+#include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-
-#include <Eigen/Core>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <utility>
 
@@ -24,7 +24,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 // Hexahedra while they are made; the arrays are those of Hexahedron_soup_3.
 struct Hexahedra_3
 {
-  std::vector<Eigen::Vector3d> points, images;
+  std::vector<Vector_3> points, images;
   std::vector<std::array<std::size_t, 8> > cells;
   std::vector<std::size_t> cell_blocks;
   std::vector<std::array<std::size_t, 3> > cell_indices;
@@ -33,19 +33,11 @@ struct Hexahedra_3
   std::vector<std::size_t> facet_cells, polycube_faces;
 };
 
-inline std::vector<Eigen::Vector3d> vectors_of(const std::vector<std::array<double, 3> >& points)
-{
-  std::vector<Eigen::Vector3d> result;
-  for(const auto& [x, y, z] : points)
-    result.emplace_back(x, y, z);
-  return result;
-}
-
-inline std::vector<std::array<double, 3> > arrays_of(const std::vector<Eigen::Vector3d>& points)
+inline std::vector<std::array<double, 3> > arrays_of(const std::vector<Vector_3>& points)
 {
   std::vector<std::array<double, 3> > result;
-  for(const Eigen::Vector3d& p : points)
-    result.push_back({ p[0], p[1], p[2] });
+  for(const Vector_3& p : points)
+    result.push_back(coordinates(p));
   return result;
 }
 
@@ -68,6 +60,82 @@ inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
 // Returns for each vertex whether it is on the boundary.
 template <typename Hexahedra>
 std::vector<bool> is_on_boundary(const Hexahedra& mesh) { return used_points(mesh.facets, mesh.points.size()); }
+
+// Quadrangles of a hexahedron, counterclockwise as seen from outside, and the axes of the hexahedron along which the second and
+// the last vertex of each lie from its first one.
+constexpr std::array<std::array<std::size_t, 4>, 6> quadrangles_of_hexahedron
+  = {{ {0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {3, 7, 6, 2}, {0, 4, 7, 3} }};
+constexpr std::array<std::array<std::size_t, 2>, 6> axes_of_quadrangle
+  = {{ {1, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 0}, {2, 1} }};
+
+// Quadrangle of a hexahedron: the index of the hexahedron, and that of the quadrangle there.
+struct Quadrangle_of_hexahedron
+{
+  std::size_t cell, side;
+
+  friend bool operator<(const Quadrangle_of_hexahedron& q, const Quadrangle_of_hexahedron& r)
+  { return std::tie(q.cell, q.side) < std::tie(r.cell, r.side); }
+};
+
+template <typename Hexahedra>
+std::array<std::size_t, 4> vertices_of(const Hexahedra& mesh, const Quadrangle_of_hexahedron& quadrangle)
+{
+  std::array<std::size_t, 4> result;
+  for(std::size_t i = 0; i < 4; ++i)
+    result[i] = mesh.cells[quadrangle.cell][quadrangles_of_hexahedron[quadrangle.side][i]];
+  return result;
+}
+
+// Calls `f(begin, end)` for each quadrangle, in the order of their sorted vertices, with a pair for each of its hexahedra: the
+// sorted vertices, and the quadrangle there.
+template <typename Function>
+void for_each_quadrangle(const Hexahedra_3& mesh, const Function& f)
+{
+  for_each_group(6 * mesh.cells.size(), [&](const std::size_t i)
+  {
+    const Quadrangle_of_hexahedron quadrangle = { i / 6, i % 6 };
+    return std::make_pair(sorted(vertices_of(mesh, quadrangle)), quadrangle);
+  }, f);
+}
+
+// Returns the quadrangles that belong to one hexahedron only.
+inline std::vector<Quadrangle_of_hexahedron> boundary_quadrangles_3(const Hexahedra_3& mesh)
+{
+  std::vector<Quadrangle_of_hexahedron> result;
+  for_each_quadrangle(mesh, [&](const auto begin, const auto end)
+  {
+    if(end - begin == 1)
+      result.push_back(begin->second);
+  });
+  return result;
+}
+
+// Returns which of the six quadrangles of its hexahedron a facet of the boundary is, or 6 if it is none.
+template <typename Hexahedra>
+std::size_t side_of_facet(const Hexahedra& mesh, const std::size_t f)
+{
+  std::size_t side = 0;
+  while(side < quadrangles_of_hexahedron.size() && vertices_of(mesh, { mesh.facet_cells[f], side }) != mesh.facets[f])
+    ++side;
+  return side;
+}
+
+// Returns an edge of a quadrangle, the smaller vertex first.
+inline std::array<std::size_t, 2> edge_of_quadrangle(const std::array<std::size_t, 4>& quadrangle, const std::size_t i)
+{ return sorted(std::array<std::size_t, 2>{ quadrangle[i % 4], quadrangle[(i + 1) % 4] }); }
+
+inline Vector_3 center_of(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& quadrangle)
+{
+  const auto& [a, b, c, d] = quadrangle;
+  return (points[a] + points[b] + points[c] + points[d]) / 4;
+}
+
+// Returns the normal of a quadrangle times its area, half of the product of its diagonals.
+inline Vector_3 area_vector(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& quadrangle)
+{
+  const auto& [a, b, c, d] = quadrangle;
+  return (points[c] - points[a]).cross(points[d] - points[b]) / 2;
+}
 
 } // namespace CGAL::Polycube_meshing_3::internal
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <limits>
@@ -98,7 +98,7 @@ private:
     return static_cast<int>(parts.size());
   }
 
-  // Returns by how much the parts of subdomains and of their complements at a vertex are too many.
+  // Returns the number of extra components of subdomains and of their complements at a vertex.
   int defects(const std::size_t v)
   {
     const auto is_like_first = [&](const std::size_t c) { return reference(c) == reference(m_cells_at[v][0]); };

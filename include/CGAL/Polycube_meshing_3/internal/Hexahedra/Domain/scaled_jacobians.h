@@ -16,8 +16,6 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/is_positive_hexahedron_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
-#include <Eigen/Dense>
-
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Corners of a hexahedron as tetrahedra: each corner and its neighbors, in an order that makes those of a cube positive.
@@ -48,49 +46,43 @@ void for_each_corner(const Hexahedra& mesh, const Function& f)
     for_each_corner(cell, f);
 }
 
-// Returns whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
-inline bool is_positive_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
-{
-  Hexahedron_points_3<double> points;
-  for(std::size_t i = 0; i < 8; ++i)
-    points[i] = coordinates(mesh.points[mesh.cells[c][i]]);
-  return is_positive_hexahedron_3(points);
-}
-
-inline Hexahedron_points_3<double> points_of_hexahedron(const Matrix3Xd& positions, const std::array<int, 8>& hexahedron)
+inline Hexahedron_points_3<double> points_of_hexahedron(const std::vector<Vector_3>& points,
+                                                        const std::array<std::size_t, 8>& hexahedron)
 {
   Hexahedron_points_3<double> result;
   for(std::size_t i = 0; i < 8; ++i)
-    result[i] = coordinates(positions.col(hexahedron[i]));
+    result[i] = coordinates(points[hexahedron[i]]);
   return result;
 }
 
+// Returns whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
+inline bool is_positive_hexahedron(const std::vector<Vector_3>& points, const std::array<std::size_t, 8>& hexahedron)
+{ return is_positive_hexahedron_3(points_of_hexahedron(points, hexahedron)); }
+
 // Returns whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.
-inline bool is_positive_corner(const Hexahedra_3& mesh, const std::array<std::size_t, 4>& corner)
+inline bool is_positive_corner(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& corner)
 {
-  const auto point = [&](const std::size_t i) { return exact_point(mesh.points[corner[i]]); };
+  const auto point = [&](const std::size_t i) { return exact_point(points[corner[i]]); };
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
 // Returns the edges of a corner or a tetrahedron that lead from its first vertex to the others.
 template <typename Point>
-Eigen::Matrix3d edge_matrix(const std::vector<Point>& points, const std::array<std::size_t, 4>& vertices)
+Matrix_3 edge_matrix(const std::vector<Point>& points, const std::array<std::size_t, 4>& vertices)
 {
-  Eigen::Matrix3d result;
-  for(int i = 0; i < 3; ++i)
-    result.col(i) = to_vector(points[vertices[i + 1]]) - to_vector(points[vertices[0]]);
-  return result;
+  const auto edge = [&](const std::size_t i) { return vector_of(points[vertices[i]]) - vector_of(points[vertices[0]]); };
+  return { edge(1), edge(2), edge(3) };
 }
 
-// Returns the scaled Jacobian of a corner, or a smaller value where edges are shorter than a bound: rounding decides where edges
-// lead that vanish.
-inline double scaled_jacobian(Eigen::Matrix3d edges, const double shortest_edge = 0)
+// Returns the scaled Jacobian of a corner. The direction of an edge shorter than the bound is noise; such edges count with the
+// bound as length.
+inline double scaled_jacobian(Matrix_3 edges, const double shortest_edge = 0)
 {
   for(int i = 0; i < 3; ++i)
   {
     const double length = length_3(edges.col(i));
     if(length > 0)
-      edges.col(i) /= (std::max)(length, shortest_edge);
+      edges.col(i) = edges.col(i) / (std::max)(length, shortest_edge);
   }
   return edges.determinant();
 }

@@ -45,12 +45,12 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   };
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
-    if(is_positive_hexahedron(mesh, c))
+    if(is_positive_hexahedron(mesh.points, mesh.cells[c]))
       continue;
     ++result.number_of_inverted_hexahedra;
     for_each_corner(mesh.cells[c], [&](const std::array<std::size_t, 4>& corner)
     {
-      if(is_positive_corner(mesh, corner))
+      if(is_positive_corner(mesh.points, corner))
         return;
       ++result.number_of_inverted_corners;
       name(corner[0]);
@@ -67,26 +67,24 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   return result;
 }
 
-// Returns whether a mesh has fewer inverted corners or hexahedra than another one, or a larger least scaled Jacobian if this is
-// bad, or leaves out nothing of the body longer than an edge, or has the larger sum of the least one, up to the sufficient one,
-// and the mean: a gain in one of both must not cost as much of the other. Boundaries that are far apart, in edges, have a price.
+// Returns what is inverted in a mesh: corners count first.
+inline std::pair<std::size_t, std::size_t> inverted(const Hexahedral_mesh_result& result)
+{ return { result.number_of_inverted_corners, result.number_of_inverted_hexahedra }; }
+
+// Returns whether a mesh is better than another one, by the first of these that differ: fewer inverted corners, fewer inverted
+// hexahedra, a larger least scaled Jacobian if this is bad, nothing of the body left out that is longer than an edge, and the sum
+// of the least scaled Jacobian, up to the sufficient one, and the mean, from which distances of boundaries, in edges, are taken.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
-  const auto quality = [edge](const Hexahedral_mesh_result& result)
+  const auto badness = [edge](const Hexahedral_mesh_result& result)
   {
-    return (std::min)(result.minimum_scaled_jacobian, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
-           - price * std::clamp(result.boundary_distance / edge - sufficient_distance, 0., 1.);
+    const double least = result.minimum_scaled_jacobian, distance = result.boundary_distance;
+    const double quality = (std::min)(least, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
+                           - price * std::clamp(distance / edge - sufficient_distance, 0., 1.);
+    return std::make_tuple(inverted(result), -(std::min)(least, bad_scaled_jacobian), !(distance <= edge), -quality);
   };
-  if(a.number_of_inverted_corners != b.number_of_inverted_corners)
-    return a.number_of_inverted_corners < b.number_of_inverted_corners;
-  if(a.number_of_inverted_hexahedra != b.number_of_inverted_hexahedra)
-    return a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra;
-  const double least_of_a = (std::min)(a.minimum_scaled_jacobian, bad_scaled_jacobian);
-  const double least_of_b = (std::min)(b.minimum_scaled_jacobian, bad_scaled_jacobian);
-  const bool is_a_complete = a.boundary_distance <= edge, is_b_complete = b.boundary_distance <= edge;
-  return least_of_a != least_of_b ? least_of_a > least_of_b
-    : is_a_complete != is_b_complete ? is_a_complete : quality(a) > quality(b);
+  return badness(a) < badness(b);
 }
 
 // Returns whether a mesh is valid, and no scaled Jacobian is below a bound.
@@ -113,8 +111,8 @@ struct Best_hexahedra_3
 // Distances of interfaces, relative to the edges of hexahedra: the largest one without a message, a guess, and that of rounding.
 constexpr double tolerance_of_interfaces = 0.1, rounding_of_interfaces = 1e-6;
 
-// Returns whether hexahedra that were fitted to interfaces leave something to gain by a plain grid, pulled back: they are bad, or
-// interfaces are far from them, or no nearer than the grid is.
+// Returns whether a plain grid, pulled back, is worth a try in place of hexahedra that were fitted to interfaces: they are bad, or
+// the interfaces are far from them, or at least as far as from the grid.
 inline bool may_be_worse_than_staircases(const Best_hexahedra_3& fitted, const double distance_of_grid)
 {
   const double distance = fitted.result.interface_distance;

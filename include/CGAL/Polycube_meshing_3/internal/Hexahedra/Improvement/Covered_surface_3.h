@@ -12,45 +12,43 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Positions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/AABB_trees_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-using Triangles_of_boundary = std::vector<std::array<int, 3> >; // triangles of hexahedra on the boundary
+using Triangle_3 = std::array<std::size_t, 3>; // of a quadrangle of hexahedra
+using Edge_of_triangle_3 = std::array<std::size_t, 2>;
 
-inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const Matrix3Xd& positions,
-                                                                             const std::array<int, 3>& triangle)
+inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const std::vector<Vector_3>& positions,
+                                                                             const Triangle_3& triangle)
 {
   const auto& [a, b, c] = triangle;
-  return { exact_point(positions.col(a)), exact_point(positions.col(b)), exact_point(positions.col(c)) };
+  return { exact_point(positions[a]), exact_point(positions[b]), exact_point(positions[c]) };
 }
 
 // Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter.
 template <typename Function>
-void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangles_of_boundary& triangles,
-                      const Matrix3Xd& positions, const Function& f)
+void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Triangle_3>& triangles,
+                      const std::vector<Vector_3>& positions, const Function& f)
 {
   AABB_trees_3::Triangles triangles_in_space;
-  for(const std::array<int, 3>& triangle : triangles)
+  for(const Triangle_3& triangle : triangles)
     triangles_in_space.push_back(triangle_at(positions, triangle));
   AABB_trees_3::Of_triangles tree(triangles_in_space.cbegin(), triangles_in_space.cend());
   tree.accelerate_distance_queries();
-  for(const Eigen::Vector3d& p : points)
+  for(const Vector_3& p : points)
   {
     const auto& [nearest, primitive] = tree.closest_point_and_primitive(exact_point(p));
-    f(p, to_vector(nearest), triangles[primitive - triangles_in_space.cbegin()]);
+    f(p, vector_of(nearest), triangles[primitive - triangles_in_space.cbegin()]);
   }
 }
 
@@ -59,19 +57,15 @@ void for_each_nearest(const std::vector<Eigen::Vector3d>& points, const Triangle
 struct Covered_surface_3
 {
   const Body_surface_3* surface;
-  Triangles_of_boundary triangles;
+  std::vector<Triangle_3> triangles;
   double tolerance;
 };
 
-// Returns a surface with triangles whose vertices have new numbers.
-inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface,
-                                           const std::vector<std::array<std::size_t, 4> >& quadrangles,
-                                           const std::vector<int>& numbers, const double tolerance)
+inline Covered_surface_3 covered_surface_3(const Cover_3& cover, const double tolerance)
 {
-  Covered_surface_3 result = { &surface, {}, tolerance };
-  for(const std::array<std::size_t, 4>& q : quadrangles)
-    for(const std::size_t k : { 1, 2 })
-      result.triangles.push_back({ numbers[q[0]], numbers[q[k]], numbers[q[k + 1]] });
+  Covered_surface_3 result = { cover.surface, {}, tolerance };
+  for(const auto& [a, b, c, d] : cover.quadrangles)
+    result.triangles.insert(result.triangles.end(), { { a, b, c }, { a, c, d } });
   return result;
 }
 
@@ -79,10 +73,10 @@ inline Covered_surface_3 covered_surface_3(const Body_surface_3& surface,
 // middle far away.
 struct Middle_3
 {
-  Eigen::Vector3d point, nearest;
+  Vector_3 point, nearest;
 
-  Middle_3(const Body_surface_3& surface, const Matrix3Xd& positions, const std::array<int, 2>& edge)
-    : point((positions.col(edge[0]) + positions.col(edge[1])) / 2), nearest(surface.nearest(point, Freedom_3::SURFACE))
+  Middle_3(const Body_surface_3& surface, const std::vector<Vector_3>& positions, const Edge_of_triangle_3& edge)
+    : point((positions[edge[0]] + positions[edge[1]]) / 2), nearest(surface.nearest(point, Freedom_3::SURFACE))
   {}
 
   double distance() const { return (point - nearest).norm(); }
@@ -90,12 +84,12 @@ struct Middle_3
 
 // Calls `f` with each edge of the triangles, its middle, and the triangle.
 template <typename Function>
-void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& positions, const Function& f)
+void for_each_middle(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const Function& f)
 {
-  for(const std::array<int, 3>& triangle : covered.triangles)
+  for(const Triangle_3& triangle : covered.triangles)
     for(std::size_t i = 0; i < 3; ++i)
     {
-      const std::array<int, 2> edge = { triangle[i], triangle[(i + 1) % 3] };
+      const Edge_of_triangle_3 edge = { triangle[i], triangle[(i + 1) % 3] };
       f(edge, Middle_3(*covered.surface, positions, edge), triangle);
     }
 }
@@ -104,9 +98,9 @@ void for_each_middle(const Covered_surface_3& covered, const Matrix3Xd& position
 struct Largest_distance_3
 {
   double distance = 0;
-  Eigen::Vector3d point;
+  Vector_3 point;
 
-  void take(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+  void take(const Vector_3& p, const Vector_3& q)
   {
     if((p - q).norm() > distance)
     {
@@ -117,74 +111,88 @@ struct Largest_distance_3
 };
 
 // Returns the largest distance between a surface and the quadrangles that cover it.
-inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const Matrix3Xd& positions)
+inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions)
 {
   Largest_distance_3 result;
-  std::vector<int> vertices;
-  for(const std::array<int, 3>& triangle : covered.triangles)
+  std::vector<std::size_t> vertices;
+  for(const Triangle_3& triangle : covered.triangles)
     vertices.insert(vertices.end(), triangle.begin(), triangle.end());
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for(const int v : vertices)
-    result.take(positions.col(v), covered.surface->nearest(positions.col(v), Freedom_3::SURFACE));
+  for(const std::size_t v : vertices)
+    result.take(positions[v], covered.surface->nearest(positions[v], Freedom_3::SURFACE));
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
-                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>&) { result.take(p, q); });
-  for_each_middle(covered, positions, [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>&)
+                   [&](const Vector_3& p, const Vector_3& q, const Triangle_3&) { result.take(p, q); });
+  for_each_middle(covered, positions, [&](const Edge_of_triangle_3&, const Middle_3& middle, const Triangle_3&)
                   { result.take(middle.point, middle.nearest); });
-  return result;
-}
-
-inline Matrix3Xd columns_of(const std::vector<Eigen::Vector3d>& points)
-{
-  Matrix3Xd result(3, points.size());
-  for(std::size_t v = 0; v < points.size(); ++v)
-    result.col(v) = points[v];
   return result;
 }
 
 // Returns the largest distance between the surface of a body and the boundary of hexahedra.
 inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, const Hexahedra_3& mesh)
+{ return distance_of_cover_3(covered_surface_3({ &surface, mesh.facets }, 0), mesh.points); }
+
+// Measures the distances of the vertices, the middles of edges and the centers of quadrangles from the interface of their
+// subdomains, and those of the vertices of interfaces from the quadrangles.
+inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_interfaces_3& interfaces)
 {
-  std::vector<int> numbers(mesh.points.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  return distance_of_cover_3(covered_surface_3(surface, mesh.facets, numbers, 0), columns_of(mesh.points));
+  Largest_distance_3 result;
+  std::map<Body_interfaces_3::Pair, Cover_3> covers;
+  for(const Interface_quadrangle_3& q : interface_quadrangles_3(mesh))
+  {
+    const Body_surface_3& surface = interfaces.surface_of_pair(pair_of(mesh, q));
+    const auto point = [&](const std::size_t i) { return mesh.points[q.vertices[i % 4]]; };
+    const auto take = [&](const Vector_3& p) { result.take(p, surface.nearest(p, Freedom_3::SURFACE)); };
+    take(center_of(mesh.points, q.vertices));
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      take(point(i));
+      take((point(i) + point(i + 1)) / 2);
+    }
+    covers.try_emplace(pair_of(mesh, q), Cover_3{ &surface, {} }).first->second.quadrangles.push_back(q.vertices);
+  }
+  for(const auto& [pair, cover] : covers)
+    if(interfaces.patches_of_pairs().count(pair) > 0)
+      for_each_nearest(cover.surface->vertices(), covered_surface_3(cover, 0).triangles, mesh.points,
+                       [&](const Vector_3& p, const Vector_3& q, const Triangle_3&) { result.take(p, q); });
+  return result;
 }
 
-// Triangles around a vertex, the points that are nearest to one of the triangles, and edges of them whose middles are far away.
+// Part of covers at a vertex: triangles, the points of surfaces nearest to them, and edges whose middles are far from a surface.
 struct Cover_of_vertex_3
 {
-  Triangles_of_boundary triangles;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::pair<const Body_surface_3*, std::array<int, 2> > > far_edges;
+  std::vector<Triangle_3> triangles;
+  std::vector<Vector_3> points;
+  std::vector<std::pair<const Body_surface_3*, Edge_of_triangle_3> > far_edges;
 };
 
 // Adds what covers a surface to the vertices; edges are far away beyond a tolerance.
-inline void add_covers_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double tolerance,
+inline void add_covers_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const double tolerance,
                          std::vector<Cover_of_vertex_3>& covers)
 {
-  for(const std::array<int, 3>& triangle : covered.triangles)
-    for(const int v : triangle)
+  for(const Triangle_3& triangle : covered.triangles)
+    for(const std::size_t v : triangle)
       covers[v].triangles.push_back(triangle);
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
-                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d&, const std::array<int, 3>& triangle)
+                   [&](const Vector_3& p, const Vector_3&, const Triangle_3& triangle)
   {
-    for(const int v : triangle)
+    for(const std::size_t v : triangle)
       covers[v].points.push_back(p);
   });
-  for_each_middle(covered, positions, [&](const std::array<int, 2>& edge, const Middle_3& middle, const std::array<int, 3>&)
+  for_each_middle(covered, positions, [&](const Edge_of_triangle_3& edge, const Middle_3& middle, const Triangle_3&)
   {
     if(middle.distance() > tolerance)
-      for(const int v : edge)
+      for(const std::size_t v : edge)
         covers[v].far_edges.push_back({ covered.surface, edge });
   });
 }
 
 // Returns the sum of the squares of the distances of points from the triangles, and of middles from the surface, as far as they
 // exceed a tolerance.
-inline double uncovered(const Matrix3Xd& positions, const Cover_of_vertex_3& cover, const double tolerance)
+inline double uncovered(const std::vector<Vector_3>& positions, const Cover_of_vertex_3& cover, const double tolerance)
 {
   double sum = 0;
-  for(const Eigen::Vector3d& p : cover.points)
+  for(const Vector_3& p : cover.points)
   {
     double least = (std::numeric_limits<double>::infinity)();
     for(auto triangle = cover.triangles.begin(); triangle != cover.triangles.end() && least > tolerance; ++triangle)

@@ -43,7 +43,7 @@ public:
 private:
   static constexpr int number_of_rounds = 10, patience = 3;      // guesses
   static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
-  static constexpr double price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points, see smooth_hexahedra_3()
+  static constexpr double usual_price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points in smooth_hexahedra_3()
 
   void evaluate()
   {
@@ -55,7 +55,7 @@ private:
   // While corners are inverted, uncovered points count little.
   void smooth(const double price_of_uncovered)
   {
-    constexpr double gain = 0.2; // a target far above the worst corners would not serve them most
+    constexpr double gain = 0.2; // a guess; with a target far above the worst corners, others would count as much
     m_hexahedra.smooth((std::max)(0., m_result.minimum_scaled_jacobian) + gain,
                        m_result.number_of_inverted_corners > 0 ? smallest_price : price_of_uncovered);
     evaluate();
@@ -80,9 +80,9 @@ private:
         in_vain = 0;
       const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
-        smooth(price);
+        smooth(usual_price);
       const double mean = m_result.mean_scaled_jacobian;
-      if(std::abs(m_result.minimum_scaled_jacobian) > nearly_flat || !is_untangled_more(m_result, before))
+      if(std::abs(m_result.minimum_scaled_jacobian) > nearly_flat || !(inverted(m_result) < inverted(before)))
       {
         m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
                             round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
@@ -96,21 +96,13 @@ private:
     }
   }
 
-  // Returns whether a mesh has fewer inverted corners or hexahedra than another one.
-  static bool is_untangled_more(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b)
-  {
-    return a.number_of_inverted_corners < b.number_of_inverted_corners
-      || (a.number_of_inverted_corners == b.number_of_inverted_corners
-          && a.number_of_inverted_hexahedra < b.number_of_inverted_hexahedra);
-  }
-
   // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
   // once in turn. While corners are inverted, only fewer of them, or of such hexahedra, than ever before are a gain. While corners
   // are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
-    double price_of_uncovered = price;
+    double price_of_uncovered = usual_price;
     std::size_t fewest_corners = m_result.number_of_inverted_corners, fewest_hexahedra = m_result.number_of_inverted_hexahedra;
     for(int round = 0, in_vain = 0;
         round < number_of_rounds && in_vain < patience
@@ -153,7 +145,7 @@ private:
       weight *= growth;
       m_hexahedra.improve(steps, true, Corners_to_improve::WORST_ANGLES, weight);
       evaluate();
-      smooth(price * weight);
+      smooth(usual_price * weight);
       in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
     }
   }
@@ -167,7 +159,7 @@ private:
     {
       m_hexahedra.improve(steps, true, Corners_to_improve::POOR);
       evaluate();
-      smooth(price);
+      smooth(usual_price);
     }
   }
 

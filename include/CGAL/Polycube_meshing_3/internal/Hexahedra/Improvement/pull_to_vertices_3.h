@@ -13,15 +13,15 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/improve_corners_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Corners_of_hexahedra_3.h>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
 // may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
 // multiple range images, 1992).
-inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& triangle, const Eigen::Vector3d& p,
-                         const Matrix3Xd& positions, const double tolerance, const double weight,
+inline void pull_point_3(const Vector_3& q, const Triangle_3& triangle, const Vector_3& p,
+                         const std::vector<Vector_3>& positions, const double tolerance, const double weight,
                          Corner_goals_3& goals)
 {
   constexpr double longest_pull = 1;             // a guess; relative to the mean edge
@@ -29,35 +29,34 @@ inline void pull_point_3(const Eigen::Vector3d& q, const std::array<int, 3>& tri
   const double distance = (p - q).norm();
   if(distance < tolerance * goals.mean_edge)
     return;
-  const auto& [a, b, c] = triangle;
-  const Eigen::Vector3d origin = positions.col(a);
-  Small_matrix<3, 2> sides;
-  sides << Eigen::Vector3d(positions.col(b)) - origin, Eigen::Vector3d(positions.col(c)) - origin;
-  const Small_matrix<2, 2> products = sides.transpose() * sides;
-  if(!(products.determinant() > 0))
+  const int a = static_cast<int>(triangle[0]), b = static_cast<int>(triangle[1]), c = static_cast<int>(triangle[2]);
+  const Vector_3 u = positions[b] - positions[a], v = positions[c] - positions[a], w = q - positions[a];
+  const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
+  if(!(determinant > 0))
     return;
-  const Small_matrix<2, 2> inverse = products.inverse();
-  const Small_matrix<2, 1> st = inverse * (sides.transpose() * (q - origin));
-  const Eigen::Vector3d way = factor * (p - q) / distance;
-  goals.constraints.push_back({ { { a, (1 - st.sum()) * way }, { b, st[0] * way }, { c, st[1] * way } },
+  const double inverse = 1 / determinant;
+  const double s = vv * inverse * u.dot(w) - uv * inverse * v.dot(w);
+  const double t = uu * inverse * v.dot(w) - uv * inverse * u.dot(w);
+  const Vector_3 way = factor * (p - q) / distance;
+  goals.constraints.push_back({ { { a, (1 - (s + t)) * way }, { b, s * way }, { c, t * way } },
                                 way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
 }
 
 // Pulls triangles to the vertices of the surface, more with a larger weight.
-inline void pull_to_vertices_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+inline void pull_to_vertices_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const double weight,
                                Corner_goals_3& goals)
 {
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
-                   [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q, const std::array<int, 3>& triangle)
+                   [&](const Vector_3& p, const Vector_3& q, const Triangle_3& triangle)
                    { pull_point_3(q, triangle, p, positions, covered.tolerance, weight, goals); });
 }
 
 // Pulls the middles of quadrangles and of their edges to the surface.
-inline void pull_middles_3(const Covered_surface_3& covered, const Matrix3Xd& positions, const double weight,
+inline void pull_middles_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const double weight,
                            Corner_goals_3& goals)
 {
   for_each_middle(covered, positions,
-                  [&](const std::array<int, 2>&, const Middle_3& middle, const std::array<int, 3>& triangle)
+                  [&](const Edge_of_triangle_3&, const Middle_3& middle, const Triangle_3& triangle)
                   { pull_point_3(middle.point, triangle, middle.nearest, positions, covered.tolerance, weight, goals); });
 }
 

@@ -90,7 +90,7 @@ private:
     return m_mesh.polycube_faces[m_edges[e].facets[side]];
   }
 
-  static Eigen::Vector3d normal(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& f)
+  static Vector_3 normal(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& f)
   {
     return area_vector(points, f).stableNormalized();
   }
@@ -105,7 +105,7 @@ private:
   bool needs_layer(const Edge_of_domain_3& edge) const
   {
     constexpr double cosine_of_smooth_edge = 0.7; // a guess; 45 degrees between normals
-    const Eigen::Vector3d n = normal(m_mesh.points, m_mesh.facets[edge.facets[0]]);
+    const Vector_3 n = normal(m_mesh.points, m_mesh.facets[edge.facets[0]]);
     return !is_concave(edge) && n.dot(normal(m_mesh.points, m_mesh.facets[edge.facets[1]])) > cosine_of_smooth_edge;
   }
 

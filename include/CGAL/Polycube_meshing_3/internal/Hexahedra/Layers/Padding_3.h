@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Quadrangle_of_hexahedron.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 
 #include <limits>
 #include <map>
@@ -20,7 +20,7 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
-inline int axis_of_facet(const std::vector<Eigen::Vector3d>& points, const std::array<std::size_t, 4>& facet)
+inline int axis_of_facet(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& facet)
 {
   int axis = 0;
   const auto is_in_plane = [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; };
@@ -78,13 +78,13 @@ private:
   void make_copies()
   {
     constexpr double depth = 0.5; // a guess; part of the way to the mean center of the hexahedra around the vertex
-    std::map<Vertex_in_part, std::pair<Eigen::Vector3d, int> > centers; // their sum and number
+    std::map<Vertex_in_part, std::pair<Vector_3, int> > centers; // their sum and number
     for(const Quadrangle_of_hexahedron& q : m_covered)
       for(const std::size_t v : vertices_of(m_domain, q))
-        centers.try_emplace({ v, m_parts[q.cell] }, Eigen::Vector3d::Zero(), 0);
+        centers.try_emplace({ v, m_parts[q.cell] }, Vector_3::Zero(), 0);
     for(std::size_t c = 0; c < m_domain.cells.size(); ++c)
     {
-      Eigen::Vector3d center = Eigen::Vector3d::Zero();
+      Vector_3 center = Vector_3::Zero();
       for(const std::size_t v : m_domain.cells[c])
         center += m_domain.points[v] / 8;
       for(const std::size_t v : m_domain.cells[c])

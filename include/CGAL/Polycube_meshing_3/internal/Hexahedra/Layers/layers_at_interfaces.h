@@ -7,12 +7,12 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYERS_AT_INTERFACES_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYERS_AT_INTERFACES_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_positions_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Positions_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -47,7 +47,7 @@ sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrang
 
 // Returns the patches in which a quadrangle has a straight corner: two of its edges at a vertex that moves along a smooth line.
 inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadrangle_3>& quadrangles,
-                                               const Interface_positions_3& positions)
+                                               const std::vector<Position_3>& positions)
 {
   std::map<std::array<std::size_t, 2>, Patches_3> patches_at; // edges
   const auto edge = [](const Interface_quadrangle_3& q, const std::size_t i) { return edge_of_quadrangle(q.vertices, i); };
@@ -58,7 +58,7 @@ inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadr
   for(const Interface_quadrangle_3& q : quadrangles)
     for(std::size_t i = 0; i < 4; ++i)
       if(q.patch != 0 && patches_at[edge(q, i)].size() > 1 && patches_at[edge(q, i + 1)].size() > 1
-         && positions.of_vertices[q.vertices[(i + 1) % 4]].freedom == Freedom_3::LINE)
+         && positions[q.vertices[(i + 1) % 4]].freedom == Freedom_3::LINE)
         result.insert(q.patch);
   return result;
 }
@@ -98,6 +98,41 @@ inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_
   return result;
 }
 
+// Moves the vertices on interfaces, in the domain, to the images of their positions, but not out of planes of the boundary.
+inline void move_to_images_of_positions(const Body_with_domain_3& body, const std::vector<Position_3>& positions,
+                                        Hexahedra_3& domain)
+{
+  std::vector<std::array<bool, 3> > is_held(domain.points.size());
+  for(const std::array<std::size_t, 4>& facet : domain.facets)
+    for(const std::size_t v : facet)
+      is_held[v][axis_of_facet(domain.points, facet)] = true;
+  for(std::size_t v = 0; v < domain.points.size(); ++v)
+    if(positions[v].surface != &body.surface)
+      if(const auto image = body.map.nearest_image(exact_point(positions[v].point)))
+        for(int axis = 0; axis < 3; ++axis)
+          if(!is_held[v][axis])
+            domain.points[v][axis] = image->point[axis];
+}
+
+// Returns hexahedra of a domain with the layers that interfaces need, and sets the quadrangles of interfaces.
+inline Hexahedra_3 with_layers_at_interfaces(const Body_with_domain_3& body, Hexahedra_3 domain, Body_interfaces_3& interfaces,
+                                             const Budget& budget, std::vector<Interface_quadrangle_3>& quadrangles)
+{
+  const Hexahedra_3 mesh = pulled_back(body, domain, budget);
+  if(mesh.cells.empty())
+    return domain;
+  std::vector<Interface_quadrangle_3> plain_quadrangles = interface_quadrangles_3(mesh);
+  set_patches(mesh, interfaces, plain_quadrangles);
+  const std::vector<Position_3> positions = Search_for_positions_3(mesh, plain_quadrangles, interfaces).run();
+  move_to_images_of_positions(body, positions, domain);
+  domain = Padding_3(domain, sides_with_layer_3(domain, plain_quadrangles), domain.cell_references).result();
+  quadrangles = interface_quadrangles_3(domain); // in the order of those before
+  for(std::size_t i = 0; i < quadrangles.size(); ++i)
+    quadrangles[i].patch = plain_quadrangles[i].patch;
+  const Patches_3 patches = patches_with_straight_corners(quadrangles, positions);
+  return patches.empty() ? domain : with_enclosed_patches(domain, patches, quadrangles);
+}
+
 } // namespace CGAL::Polycube_meshing_3::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_SIDES_WITH_LAYER_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_LAYERS_LAYERS_AT_INTERFACES_H

@@ -1,0 +1,133 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_QUADRANGLES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_QUADRANGLES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_interfaces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Quadrangle between hexahedra of two subdomains, as a side of both, the smaller reference first, and the patch of the
+// body's interfaces that it belongs to; 0 if it has none.
+struct Interface_quadrangle_3
+{
+  std::array<std::size_t, 4> vertices; // in the order in which the first hexahedron has them
+  std::array<Quadrangle_of_hexahedron, 2> sides;
+  std::size_t patch = 0;
+};
+
+// Returns the subdomains on both sides.
+inline Body_interfaces_3::Pair pair_of(const Hexahedra_3& mesh, const Interface_quadrangle_3& q)
+{ return { mesh.cell_references[q.sides[0].cell], mesh.cell_references[q.sides[1].cell] }; }
+
+// Returns the quadrangles between parts of the hexahedra, in the order of their sorted vertices.
+inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedra_3& mesh, const std::vector<int>& parts)
+{
+  std::vector<Interface_quadrangle_3> result;
+  for_each_quadrangle(mesh, [&](const auto begin, const auto end)
+  {
+    if(end - begin != 2)
+      return;
+    Quadrangle_of_hexahedron q = begin->second, r = (begin + 1)->second;
+    if(parts[q.cell] > parts[r.cell])
+      std::swap(q, r);
+    if(parts[q.cell] != parts[r.cell])
+      result.push_back({ vertices_of(mesh, q), { q, r } });
+  });
+  return result;
+}
+
+inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedra_3& mesh)
+{ return quadrangles_between_3(mesh, mesh.cell_references); }
+
+// Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
+inline void set_patches(const Hexahedra_3& mesh, Body_interfaces_3& interfaces,
+                        std::vector<Interface_quadrangle_3>& quadrangles)
+{
+  constexpr int number_of_rounds = 3; // a guess
+  std::vector<Body_interfaces_3::Pair> pairs;
+  std::map<std::array<std::size_t, 2>, std::vector<std::size_t> > at_edges;
+  for(Interface_quadrangle_3& q : quadrangles)
+  {
+    const Vector_3 area = area_vector(mesh.points, q.vertices);
+    for(std::size_t i = 0; i < 4; ++i)
+      at_edges[edge_of_quadrangle(q.vertices, i)].push_back(pairs.size());
+    pairs.push_back(pair_of(mesh, q));
+    q.patch = interfaces.patch_of_quadrangle(center_of(mesh.points, q.vertices), area.stableNormalized(),
+                                             std::sqrt(area.norm()), pairs.back());
+  }
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    std::vector<std::map<std::size_t, int> > neighbors(quadrangles.size()); // their number in each patch of the pair
+    for(const auto& [edge, at_edge] : at_edges)
+      for(const std::size_t i : at_edge)
+        for(const std::size_t j : at_edge)
+          if(i != j && pairs[i] == pairs[j])
+            ++neighbors[i][quadrangles[j].patch];
+    for(std::size_t i = 0; i < quadrangles.size(); ++i)
+      for(const auto& [patch, number] : neighbors[i])
+        if(number > 2)
+          quadrangles[i].patch = patch;
+  }
+}
+
+// Moves vertices inside of curved patches off the interface, towards the outside of their curvature, such that quadrangles are
+// on both sides of the interface alike: with all vertices on a sphere its volume would be lost to the chords. No hexahedron
+// around them gets worse by more than a part of its scaled Jacobian.
+inline void balance_interfaces_3(Body_interfaces_3& interfaces, Hexahedra_3& mesh)
+{
+  constexpr double part = 2. / 3; // mean distance of a bilinear quadrangle, whose vertices are on a sphere, by that of its center
+  constexpr double largest_loss = 0.1; // a guess
+  std::vector<Interface_quadrangle_3> quadrangles = interface_quadrangles_3(mesh);
+  set_patches(mesh, interfaces, quadrangles);
+  std::vector<std::set<std::size_t> > patches(mesh.points.size());
+  std::vector<Vector_3> way(mesh.points.size(), Vector_3::Zero());
+  std::vector<int> number(mesh.points.size(), 0);
+  for(const Interface_quadrangle_3& q : quadrangles)
+  {
+    Vector_3 center = Vector_3::Zero();
+    for(const std::size_t v : q.vertices)
+      center += mesh.points[v] / 4;
+    for(const std::size_t v : q.vertices)
+    {
+      patches[v].insert(q.patch);
+      ++number[v];
+      if(q.patch != 0)
+        way[v] += interfaces.surface({ q.patch }).nearest(center, Freedom_3::SURFACE) - center;
+    }
+  }
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  const std::vector<Vector_3> before = mesh.points;
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(patches[v].size() == 1 && !is_outer[v])
+      mesh.points[v] += part / number[v] * way[v];
+  for(bool is_final = false; !is_final; )
+  {
+    is_final = true;
+    const std::vector<double> next = scaled_jacobians(mesh);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      if(next[c] < (1 - largest_loss) * quality[c] || !is_positive_hexahedron(mesh.points, mesh.cells[c]))
+        for(const std::size_t v : mesh.cells[c])
+          if(mesh.points[v] != before[v])
+          {
+            mesh.points[v] = before[v];
+            is_final = false;
+          }
+  }
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_INTERFACE_QUADRANGLES_3_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_POSITIONS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_POSITIONS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_quadrangles_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Returns the corner of each vertex that gets one: of the nearest pair, then of the nearest one of others, and so on. Takes the
+// distance, vertex and corner of all pairs.
+template <typename Corner>
+std::map<std::size_t, Corner> nearest_pairs(std::vector<std::tuple<double, std::size_t, Corner> > pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  std::map<std::size_t, Corner> result;
+  std::set<Corner> taken;
+  for(const auto& [distance, v, corner] : pairs)
+    if(result.count(v) == 0 && taken.insert(corner).second)
+      result.emplace(v, corner);
+  return result;
+}
+
+// Where a vertex is, and where it may move: on the boundary of the body, on interfaces, or, with the freedom SPACE, inside.
+struct Position_3
+{
+  Vector_3 point;
+  const Body_surface_3* surface;
+  Freedom_3 freedom = Freedom_3::SPACE;
+  bool is_on_boundary = false;
+
+  // Returns the point nearest to p among those where the vertex may be.
+  Vector_3 nearest(const Vector_3& p) const { return surface->nearest(p, freedom); }
+};
+
+// The quadrangles that are to cover a surface.
+struct Cover_3
+{
+  const Body_surface_3* surface;
+  std::vector<std::array<std::size_t, 4> > quadrangles;
+};
+
+// Hexahedra, the positions of their vertices, and the covers of the boundary, which comes first, and of patches of interfaces.
+struct Placed_hexahedra_3
+{
+  Hexahedra_3 mesh;
+  std::vector<Position_3> positions;
+  std::vector<Cover_3> covers;
+};
+
+// Finds the positions of vertices by the patches that meet there.
+class Search_for_positions_3
+{
+public:
+  Search_for_positions_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
+                         Body_interfaces_3& interfaces)
+    : m_mesh(mesh), m_interfaces(interfaces), m_patches(mesh.points.size()), m_widths(mesh.points.size(), 0)
+  {
+    for(const std::array<std::size_t, 4>& facet : mesh.facets)
+      for(const std::size_t v : facet)
+        m_patches[v].insert(0);
+    for(const Interface_quadrangle_3& q : quadrangles)
+      for(const std::size_t v : q.vertices)
+        if(q.patch != 0)
+        {
+          m_patches[v].insert(q.patch);
+          m_widths[v] = (std::max)(m_widths[v], std::sqrt(area_vector(mesh.points, q.vertices).norm()));
+        }
+  }
+
+  std::vector<Position_3> run()
+  {
+    std::vector<Position_3> result;
+    for(std::size_t v = 0; v < m_patches.size(); ++v)
+      result.push_back(position(v));
+    for(const auto& [v, corner] : nearest_pairs(corners_of(result)))
+    {
+      result[v].freedom = Freedom_3::NONE;
+      result[v].point = m_interfaces.corners(corner.first)[corner.second];
+    }
+    return result;
+  }
+
+private:
+  using Corner = std::pair<Patches_3, std::size_t>; // number of a corner where these patches meet
+
+  bool is_on_boundary(const std::size_t v) const { return m_patches[v].count(0) > 0; }
+  bool is_on_interface(const std::size_t v) const { return m_patches[v].size() > is_on_boundary(v); }
+
+  // Returns a position on the patches that meet at a vertex, on a line if there is one. A vertex on the boundary leaves
+  // interfaces that do not end near it: a line of the same patches elsewhere would take the vertex away.
+  Position_3 position(const std::size_t v)
+  {
+    constexpr double largest_move = 1.5; // a guess; on the boundary, relative to the width of a quadrangle
+    const Vector_3& p = m_mesh.points[v];
+    if(is_on_interface(v))
+    {
+      const Body_surface_3& surface = m_interfaces.surface(m_patches[v]);
+      const Freedom_3 freedom = m_patches[v].size() > 1 && surface.has_lines() ? Freedom_3::LINE : Freedom_3::SURFACE;
+      const Vector_3 nearest = surface.nearest(p, freedom);
+      if(!is_on_boundary(v) || (surface.has_lines() && (nearest - p).norm() <= largest_move * m_widths[v]))
+        return { nearest, &surface, freedom, is_on_boundary(v) };
+    }
+    return is_on_boundary(v) ? position_on_boundary(p) : Position_3{ p, &m_interfaces.boundary() };
+  }
+
+  // Rounding may keep a vertex from the boundary where cells of the map are thin.
+  Position_3 position_on_boundary(const Vector_3& p) const
+  {
+    const Body_surface_3& boundary = m_interfaces.boundary();
+    const Vector_3 nearest = boundary.nearest(p, Freedom_3::SURFACE), q = boundary.are_equal(p, nearest) ? p : nearest;
+    return { q, &boundary, boundary.freedom(q), true };
+  }
+
+  // Returns the squared distances of vertices from the corners where their patches meet. Vertices on a line get one only where
+  // the line crosses another one, on the boundary.
+  std::vector<std::tuple<double, std::size_t, Corner> > corners_of(const std::vector<Position_3>& positions)
+  {
+    std::vector<std::tuple<double, std::size_t, Corner> > result;
+    for(std::size_t v = 0; v < positions.size(); ++v)
+    {
+      const Patches_3& patches = m_patches[v];
+      if(positions[v].surface == &m_interfaces.boundary() || patches.size() < 2)
+        continue;
+      const bool crosses_line = is_on_boundary(v) && m_interfaces.boundary().freedom(m_mesh.points[v]) != Freedom_3::SURFACE;
+      if(crosses_line || !m_interfaces.has_line(patches))
+        for(std::size_t c = 0; c < m_interfaces.corners(patches).size(); ++c)
+          result.emplace_back((m_mesh.points[v] - m_interfaces.corners(patches)[c]).squaredNorm(), v, Corner(patches, c));
+    }
+    return result;
+  }
+
+  const Hexahedra_3& m_mesh;
+  Body_interfaces_3& m_interfaces;
+  std::vector<Patches_3> m_patches; // of each vertex
+  std::vector<double> m_widths;     // of quadrangles of interfaces, at each vertex
+};
+
+// Returns hexahedra with their vertices at their positions: on the boundary; on a patch; on a line where just the patches of a
+// vertex meet; or in a corner that has them, each of which is given to the vertex nearest to it.
+inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
+                                             Body_interfaces_3& interfaces)
+{
+  Placed_hexahedra_3 result = { mesh, Search_for_positions_3(mesh, quadrangles, interfaces).run(),
+                                { { &interfaces.boundary(), mesh.facets } } };
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    result.mesh.points[v] = result.positions[v].point;
+  std::map<std::size_t, Cover_3> covers; // by patch
+  for(const Interface_quadrangle_3& q : quadrangles)
+    if(q.patch != 0)
+      covers.try_emplace(q.patch, Cover_3{ &interfaces.surface({ q.patch }), {} }).first->second.quadrangles.push_back(q.vertices);
+  for(const auto& [patch, cover] : covers)
+    result.covers.push_back(cover);
+  return result;
+}
+
+// Moves to each marked corner of the boundary the vertex with the nearest image: along its line to a corner on a line, else on the
+// surface. A corner without one up to the spacing, as where corners are closer to each other, is given up. Vertices on
+// interfaces have positions of their own.
+inline void move_to_corners_3(const Body_with_domain_3& body, const double spacing, Placed_hexahedra_3& hexahedra)
+{
+  const Hexahedra_3& mesh = hexahedra.mesh;
+  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // distance, vertex, corner
+  for(const std::size_t corner : body.surface.corners())
+  {
+    const Vector_3& p = body.points[corner];
+    const bool is_on_line = body.surface.is_on_line(p);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      const Position_3& position = hexahedra.positions[v];
+      const Vector_3 way = mesh.images[v] - body.images[corner];
+      const bool is_in_same_planes
+        = (way[0] == 0) + (way[1] == 0) + (way[2] == 0) >= (is_on_line ? 2 : 1); // the other side of a thin body is not
+      if(position.is_on_boundary && body.surface.are_equal(mesh.points[v], p))
+        ways.emplace_back(0, v, corner);
+      else if(position.surface == &body.surface && position.freedom == (is_on_line ? Freedom_3::LINE : Freedom_3::SURFACE)
+              && is_in_same_planes && way.norm() <= spacing)
+        ways.emplace_back(way.norm(), v, corner);
+    }
+  }
+  for(const auto& [v, corner] : nearest_pairs(std::move(ways)))
+  {
+    hexahedra.mesh.points[v] = body.points[corner];
+    hexahedra.positions[v].freedom = Freedom_3::NONE;
+  }
+}
+
+// Returns the marked corners of the boundary that are not vertices of the hexahedra.
+inline std::vector<std::array<double, 3> > corners_given_up_3(const Body_with_domain_3& body, const Hexahedra_3& mesh)
+{
+  std::vector<std::array<double, 3> > result;
+  for(const std::size_t corner : body.surface.corners())
+    if(std::none_of(mesh.points.begin(), mesh.points.end(), [&](const Vector_3& p)
+                    { return body.surface.are_equal(p, body.points[corner]); }))
+      result.push_back(body.soup.points[corner]);
+  return result;
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_INTERFACES_POSITIONS_3_H
