@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/vertices_of_corners.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Chains_of_voxel_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 

@@ -14,15 +14,58 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Length_of_edges_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Drawn_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_simplification_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/coordinates_of_voxel_charts_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/relax_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 
+#include <map>
+
 namespace CGAL::Polycube_meshing_3::internal {
+
+// Returns coordinates of charts that keep the order of the planes of the voxels along each axis, with a gap between planes at
+// least: the polycube stays embedded, as space is mapped by monotone functions of the coordinates. Among such coordinates, they
+// are those closest to the means of the planes on the surface in the sense of least squares.
+inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets, const std::vector<std::size_t>& chart_of_facet,
+                                                         const std::vector<std::size_t>& label_of_chart,
+                                                         const std::vector<int>& plane_of_chart, const double gap,
+                                                         const Plane_grid_3& grid)
+{
+  std::vector<double> result(label_of_chart.size());
+  for(int axis = 0; axis < 3; ++axis)
+  {
+    const auto is_along_axis = [&](const std::size_t c) { return axis_of_direction(label_of_chart[c]) == axis; };
+    std::map<int, std::size_t> number_of_plane;
+    for(std::size_t c = 0; c < label_of_chart.size(); ++c)
+      if(is_along_axis(c))
+        number_of_plane.emplace(plane_of_chart[c], 0);
+    std::vector<Order_of_coordinates> orders;
+    std::size_t n = 0;
+    for(auto& [plane, number] : number_of_plane)
+    {
+      number = n++;
+      if(number > 0)
+        orders.push_back({ number - 1, number, gap });
+    }
+    std::vector<double> areas(n, 0), moments(n, 0);
+    for(std::size_t f = 0; f < chart_of_facet.size(); ++f)
+      if(const std::size_t c = chart_of_facet[f]; is_along_axis(c))
+      {
+        const std::size_t number = number_of_plane.at(plane_of_chart[c]);
+        areas[number] += facets.areas[f];
+        moments[number] += facets.areas[f] * facets.centers[f][axis];
+      }
+    const std::vector<double> coordinates = ordered_coordinates_3(areas, moments, orders, grid, axis).value().values;
+    for(std::size_t c = 0; c < label_of_chart.size(); ++c)
+      if(is_along_axis(c))
+        result[c] = coordinates[number_of_plane.at(plane_of_chart[c])];
+  }
+  return result;
+}
 
 // Map of a surface to a polycube of voxels, with the edges that are split for it one after the other, each at its midpoint.
 struct Map_to_voxels_3
@@ -30,16 +73,6 @@ struct Map_to_voxels_3
   std::vector<std::array<std::size_t, 2> > splits;
   std::vector<Eigen::Vector3d> images; // also of the midpoints; none if there is no map
   double distortion = (std::numeric_limits<double>::infinity)(); // mean over the area
-};
-
-// Polycube of voxels: the charts of placed faces of the voxels that it was made of.
-struct Polycube_of_voxels_3
-{
-  double size_of_voxels;
-  Voxel_faces_3 faces;
-  std::vector<std::size_t> chart_of_face;
-  std::vector<std::size_t> label_of_chart;
-  std::vector<int> plane_of_chart; // numbers of layers of voxels
 };
 
 // Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
@@ -75,55 +108,6 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
     result.plane_of_chart[charts.chart_of_face[face]]
       = voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0);
   return result;
-}
-
-// Surface with the charts of a polycube.
-struct Drawn_polycube_3
-{
-  Split_surface_3 surface;
-  Boundary_mesh_3 mesh = {};                    // of the surface
-  std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
-};
-
-// Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
-inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
-                                        const Budget& budget)
-{
-  Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
-  for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
-  {
-    Drawn_polycube_3 result = { surface };
-    result.surface.split_long_edges(lengths);
-    Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
-                           polycube.size_of_voxels);
-    result.chart_of_facet = charts.run(budget);
-    result.mesh = charts.mesh();
-    if(!result.chart_of_facet.empty())
-      return result;
-    has_changed = lengths.halve(charts.blocked_points());
-  }
-  return {};
-}
-
-// Splits edges that lead through the inside of a chart from one vertex of its border to another.
-inline void split_between_borders(Drawn_polycube_3& drawn)
-{
-  const Boundary_mesh_3& mesh = drawn.mesh;
-  std::vector<bool> is_on_border(drawn.surface.points.size(), false);
-  const auto is_border = [&](const auto h)
-  { return drawn.chart_of_facet[mesh.face(h)] != drawn.chart_of_facet[mesh.face(mesh.opposite(h))]; };
-  for(const auto h : mesh.halfedges())
-    if(is_border(h))
-      is_on_border[mesh.target(h)] = true;
-  std::set<Split_surface_3::Edge> edges;
-  for(const auto h : mesh.halfedges())
-    if(!is_border(h) && is_on_border[mesh.source(h)] && is_on_border[mesh.target(h)])
-      edges.insert((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h))));
-  std::vector<std::size_t> charts;
-  for(const std::size_t parent : drawn.surface.split(edges))
-    charts.push_back(drawn.chart_of_facet[parent]);
-  drawn.chart_of_facet = charts;
-  drawn.mesh = drawn.surface.mesh();
 }
 
 // Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges

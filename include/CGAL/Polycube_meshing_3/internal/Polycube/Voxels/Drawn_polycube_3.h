@@ -1,0 +1,205 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_DRAWN_POLYCUBE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_DRAWN_POLYCUBE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Label_functional_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Length of edges with which chains between charts of placed faces of voxels can be drawn on a surface: short ones at the
+// chains, and elsewhere as long as they are far from these.
+class Length_of_edges_3
+{
+public:
+  // Takes the length at the chains.
+  Length_of_edges_3(const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face, const double length)
+    : m_points(faces.points), m_lengths(m_points.size(), length), m_least(length / 4), m_nearest(0) // two halvings; a guess
+  {
+    std::vector<std::size_t> chart_of_point(m_points.size(), none);
+    std::set<std::size_t> on_chains;
+    for(std::size_t i = 0; i < chart_of_face.size(); ++i)
+      for(const std::size_t p : faces.corners[i])
+      {
+        if(chart_of_point[p] != none && chart_of_point[p] != chart_of_face[i])
+          on_chains.insert(p);
+        chart_of_point[p] = chart_of_face[i];
+      }
+    m_on_chains.assign(on_chains.begin(), on_chains.end());
+    for(const std::size_t p : m_on_chains)
+      m_nearest.add(m_points[p], Eigen::Vector3d::Zero());
+  }
+
+  // Halves the lengths at some points of chains. Returns whether there was one that has not been halved too often.
+  bool halve(const std::set<std::size_t>& points)
+  {
+    bool has_changed = false;
+    for(const std::size_t p : points)
+      if(m_lengths[p] > m_least)
+      {
+        m_lengths[p] /= 2;
+        has_changed = true;
+      }
+    return has_changed;
+  }
+
+  double operator()(const Eigen::Vector3d& p) const
+  {
+    const std::size_t nearest = m_on_chains[m_nearest.nearest(p, Eigen::Vector3d::Zero())];
+    return (std::max)(m_lengths[nearest], (m_points[nearest] - p).norm());
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  const std::vector<Eigen::Vector3d>& m_points;
+  std::vector<double> m_lengths; // at the points
+  double m_least;
+  std::vector<std::size_t> m_on_chains; // points
+  Nearest_with_normal_3 m_nearest;
+};
+
+// Returns the charts of the facets that have a vertex with a facet, in their order around it: each run of facets with one chart
+// counts once.
+inline std::vector<std::size_t> charts_around(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f,
+                                              const std::vector<std::size_t>& chart_of_facet)
+{
+  std::vector<std::size_t> ring, result;
+  for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh)) // clockwise around the target of each edge
+    for(auto g = mesh.opposite(h); mesh.face(g) != f; g = mesh.opposite(mesh.prev(g)))
+      ring.push_back(chart_of_facet[mesh.face(g)]);
+  for(std::size_t i = 0; i < ring.size(); ++i)
+    if(ring[i] != ring[(i + 1) % ring.size()])
+      result.push_back(ring[i]);
+  return result;
+}
+
+// Gives facets to neighboring charts as long as that lowers the cost of the labels and the length of borders, and keeps the
+// topology of the charts: around the facet, its chart and the other one, and perhaps a third one, have one run of facets each.
+inline void relax_charts_3(const Boundary_mesh_3& mesh, const Label_functional_3& functional,
+                           const std::vector<std::size_t>& label_of_chart, std::vector<std::size_t>& chart_of_facet)
+{
+  constexpr double smoothing = 0.02;             // in units of the body, as for moves of charts
+  constexpr int maximum_number_of_rounds = 200;  // a guess
+  std::vector<std::size_t> sizes(label_of_chart.size(), 0);
+  for(const std::size_t c : chart_of_facet)
+    ++sizes[c];
+  bool has_changed = true;
+  for(int round = 0; round < maximum_number_of_rounds && has_changed; ++round)
+  {
+    has_changed = false;
+    for(const auto f : mesh.faces())
+    {
+      const std::size_t chart = chart_of_facet[f];
+      const auto edges = CGAL::halfedges_around_face(mesh.halfedge(f), mesh);
+      const auto chart_across = [&](const auto h) { return chart_of_facet[mesh.face(mesh.opposite(h))]; };
+      const auto number_of_own = std::count_if(edges.begin(), edges.end(), [&](const auto h) { return chart_across(h) == chart; });
+      if(sizes[chart] < 2 || number_of_own == 0 || number_of_own == 3)
+        continue;
+      std::vector<std::size_t> around = charts_around(mesh, f, chart_of_facet);
+      std::sort(around.begin(), around.end());
+      if(around.size() > 3 || std::unique(around.begin(), around.end()) != around.end()
+         || !std::binary_search(around.begin(), around.end(), chart))
+        continue;
+      const auto cost = [&](const std::size_t c)
+      {
+        double result = functional.cost(f, label_of_chart[c]);
+        for(const auto h : edges)
+          result += smoothing * (chart_across(h) != c) * functional.length(h);
+        return result;
+      };
+      double least = cost(chart) - 1e-12; // more than rounding
+      for(const auto h : edges)
+        if(const std::size_t c = chart_across(h); c != chart && cost(c) < least)
+        {
+          least = cost(c);
+          chart_of_facet[f] = c;
+        }
+      if(chart_of_facet[f] == chart)
+        continue;
+      --sizes[chart];
+      ++sizes[chart_of_facet[f]];
+      has_changed = true;
+    }
+  }
+}
+
+// Polycube of voxels: the charts of placed faces of the voxels that it was made of.
+struct Polycube_of_voxels_3
+{
+  double size_of_voxels;
+  Voxel_faces_3 faces;
+  std::vector<std::size_t> chart_of_face;
+  std::vector<std::size_t> label_of_chart;
+  std::vector<int> plane_of_chart; // numbers of layers of voxels
+};
+
+// Surface with the charts of a polycube.
+struct Drawn_polycube_3
+{
+  Split_surface_3 surface;
+  Boundary_mesh_3 mesh = {};                    // of the surface
+  std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
+};
+
+// Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
+inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
+                                        const Budget& budget)
+{
+  Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
+  for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
+  {
+    Drawn_polycube_3 result = { surface };
+    result.surface.split_long_edges(lengths);
+    Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
+                           polycube.size_of_voxels);
+    result.chart_of_facet = charts.run(budget);
+    result.mesh = charts.mesh();
+    if(!result.chart_of_facet.empty())
+      return result;
+    has_changed = lengths.halve(charts.blocked_points());
+  }
+  return {};
+}
+
+// Splits edges that lead through the inside of a chart from one vertex of its border to another.
+inline void split_between_borders(Drawn_polycube_3& drawn)
+{
+  const Boundary_mesh_3& mesh = drawn.mesh;
+  std::vector<bool> is_on_border(drawn.surface.points.size(), false);
+  const auto is_border = [&](const auto h)
+  { return drawn.chart_of_facet[mesh.face(h)] != drawn.chart_of_facet[mesh.face(mesh.opposite(h))]; };
+  for(const auto h : mesh.halfedges())
+    if(is_border(h))
+      is_on_border[mesh.target(h)] = true;
+  std::set<Split_surface_3::Edge> edges;
+  for(const auto h : mesh.halfedges())
+    if(!is_border(h) && is_on_border[mesh.source(h)] && is_on_border[mesh.target(h)])
+      edges.insert((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h))));
+  std::vector<std::size_t> charts;
+  for(const std::size_t parent : drawn.surface.split(edges))
+    charts.push_back(drawn.chart_of_facet[parent]);
+  drawn.chart_of_facet = charts;
+  drawn.mesh = drawn.surface.mesh();
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_DRAWN_POLYCUBE_3_H
