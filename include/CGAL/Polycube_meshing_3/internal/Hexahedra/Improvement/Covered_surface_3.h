@@ -82,15 +82,17 @@ struct Middle_3
   double distance() const { return (point - nearest).norm(); }
 };
 
-// Calls `f` with each edge of the triangles, its middle, and the triangle.
+// Calls `f` with each edge of the triangles, its middle, and the triangle. Each edge of two triangles looks for its nearest point
+// once.
 template <typename Function>
 void for_each_middle(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const Function& f)
 {
+  std::map<Edge_of_triangle_3, Middle_3> middles;
   for(const Triangle_3& triangle : covered.triangles)
     for(std::size_t i = 0; i < 3; ++i)
     {
       const Edge_of_triangle_3 edge = { triangle[i], triangle[(i + 1) % 3] };
-      f(edge, Middle_3(*covered.surface, positions, edge), triangle);
+      f(edge, middles.try_emplace(sorted(edge), *covered.surface, positions, edge).first->second, triangle);
     }
 }
 

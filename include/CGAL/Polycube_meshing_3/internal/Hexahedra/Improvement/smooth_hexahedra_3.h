@@ -114,18 +114,29 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
   std::vector<Cover_of_vertex_3> covers(points.size());
   for(const Covered_surface_3& surface : covered)
     add_covers_3(surface, points, tolerance * edge, covers);
+  std::vector<bool> is_settled(points.size(), false); // misses nothing, until a vertex near it moves
+  const auto unsettle_near = [&](const std::size_t v)
+  {
+    for(const std::array<std::size_t, 4>& corner : corners_of_vertex[v])
+      for(const std::size_t w : corner)
+        is_settled[w] = false;
+    for(const std::array<std::size_t, 8>& hexahedron : hexahedra_of_vertex[v])
+      for(const std::size_t w : hexahedron)
+        is_settled[w] = false;
+  };
   const auto price_of_uncovered = [&](const std::size_t v)
   { return price * uncovered(points, covers[v], tolerance * edge) / (edge * edge); };
   std::vector<double> widths(points.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(const std::size_t v : corners.order())
     {
-      if(positions[v].freedom == Freedom_3::NONE || widths[v] < smallest_width || budget.is_exhausted())
+      if(positions[v].freedom == Freedom_3::NONE || widths[v] < smallest_width || is_settled[v] || budget.is_exhausted())
         continue;
       const Corners_of_vertex& around = corners_of_vertex[v];
       const double inside = shortage_inside(points, hexahedra_of_vertex[v]);
       const double missing = shortage(points, around, edge, target), paid = inside + price_of_uncovered(v);
-      if(missing == 0 && paid == 0)
+      is_settled[v] = missing == 0 && paid == 0;
+      if(is_settled[v])
         continue;
       const double goal
         = missing > 0 ? target : (std::max)(target, (std::min)(good_scaled_jacobian, least_scaled_jacobian(points, around)));
@@ -148,6 +159,8 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
       points[v] = best;
       if(best == here)
         widths[v] /= 2;
+      else
+        unsettle_near(v);
     }
 }
 
