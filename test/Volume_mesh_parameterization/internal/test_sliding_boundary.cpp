@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <functional>
 #include <random>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -280,6 +281,42 @@ TEST_CASE("Vertices of curved regions slide on the triangles of the target, and 
     const std::array<double, 3> p = VMP::internal::coordinates(u.col(v)), q = surface.nearest_point(p).point;
     CHECK(Vector3d(q[0] - p[0], q[1] - p[1], q[2] - p[2]).norm() < 1e-13);
   }
+}
+
+TEST_CASE("Vertices of curved patches slide from the minimum with fixed boundary, those of planar ones at once")
+{
+  struct Visitor
+  {
+    std::vector<std::string> attempts = {};
+    std::vector<double> energies = {}; // at the end of each attempt
+
+    bool after_step(const VMP::Parameterization_step& step)
+    {
+      if(attempts.empty() || attempts.back() != step.attempt)
+      {
+        attempts.push_back(step.attempt);
+        energies.push_back(0);
+      }
+      energies.back() = step.energy;
+      return true;
+    }
+  };
+  const auto visitor_of = [](const Numbered_mesh_3& mesh)
+  {
+    Complex complex(mesh);
+    Visitor visitor;
+    CHECK(CGAL::stretch_minimizing_volume_parameterization(
+      std::as_const(complex.c3t3), complex.uvw_map(),
+      params::boundary_map(complex.boundary_map()).visitor(std::ref(visitor)).do_slide_boundary(true)).status == VMP::OK);
+    return visitor;
+  };
+  Complex fixed(twisted_cube(n));
+  const Visitor curved = visitor_of(fixed.mesh);
+  REQUIRE(curved.attempts.size() >= 2);
+  CHECK(curved.attempts.back() == "sliding boundary");
+  CHECK(curved.energies[curved.energies.size() - 2] == Approx(slide(fixed, {false}).energy).epsilon(1e-9));
+  const std::vector<std::string> planar = visitor_of(stirred_cube(box)).attempts;
+  CHECK(std::count(planar.begin(), planar.end(), "minimization") == 0);
 }
 
 TEST_CASE("Planes are recognized in spite of rounding, but not of bumps")

@@ -65,13 +65,10 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
     mesh.sliding_conditions.push_back(condition);
     mesh.conditions.push_back(does_slide_later(condition) ? Vertex_condition_3::at_target() : condition);
   }
-  const auto clear_if_none = [](Conditions_3& conditions, const auto& is)
-  {
-    if(std::none_of(conditions.begin(), conditions.end(), is))
-      conditions.clear();
-  };
-  clear_if_none(mesh.sliding_conditions, does_slide_later);
-  clear_if_none(mesh.conditions, [](const auto& condition) { return !is_at_target_first(condition); });
+  if(std::none_of(mesh.sliding_conditions.begin(), mesh.sliding_conditions.end(), does_slide_later))
+    mesh.sliding_conditions.clear();
+  if(std::all_of(mesh.conditions.begin(), mesh.conditions.end(), is_at_target_first))
+    mesh.conditions.clear();
   if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
     return; // the check of the input names the place
   for(const std::array<std::size_t, 3>& facet : body.boundary)

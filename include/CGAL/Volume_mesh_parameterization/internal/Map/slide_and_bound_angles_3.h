@@ -112,39 +112,34 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
   const bool do_slide = !mesh.sliding_conditions.empty();
   if((!do_slide && !options.minimize_maximum_angle_distortion && !exceeds_bound) || progress.is_interrupted())
     return found;
-  std::optional<Sliding_boundary_3> sliding;
-  if(do_slide)
-  {
-    sliding.emplace(mesh);
-    found.number_of_sliding_vertices = sliding->number_of_sliding_vertices();
-    if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && are_some_on_surfaces(sliding->conditions()))
-    { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
-      Newton_system_3 fixed(mesh, free_vertices(mesh), problem.solver);
-      found = minimize_map_3(fixed, problem, std::move(found));
-      if(found.status == ERROR_LINEAR_SOLVER_FAILED || !found.map.is_solution() || progress.is_interrupted())
-        return found;
-    }
+  const Sliding_boundary_3 boundary(mesh);
+  found.number_of_sliding_vertices = boundary.number_of_sliding_vertices();
+  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && are_some_on_surfaces(boundary.conditions()))
+  { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
+    Newton_system_3 fixed(mesh, free_vertices(mesh), problem.solver);
+    found = minimize_map_3(fixed, problem, std::move(found));
+    if(found.status == ERROR_LINEAR_SOLVER_FAILED || !found.map.is_solution() || progress.is_interrupted())
+      return found;
   }
-  Newton_system_3 system(mesh, free_vertices(mesh, sliding ? sliding->conditions() : mesh.conditions), problem.solver);
+  Newton_system_3 system(mesh, free_vertices(mesh, boundary.conditions()), problem.solver);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)
   {
     progress.begin_stage();
     const Newton_result_3 result = minimize_energy_3(system, psi, from.map.positions, progress, Negative_curvature(),
                                                      ends_here, options.negligible_gain());
-    from.map = sliding ? evaluated_map(mesh, *sliding, result.positions)
-                       : evaluated_map(mesh, snapped(mesh, result.positions));
+    from.map = evaluated_map(mesh, boundary, result.positions);
     from.status = result.status;
     from.reason = result.reason;
     progress.end_check();
     return from;
   };
-  progress.begin_attempt(sliding ? "sliding boundary" : "bound of angles");
-  if(sliding)
+  progress.begin_attempt(do_slide ? "sliding boundary" : "bound of angles");
+  if(do_slide)
     found = minimize(problem.energy, std::move(found), ends_if_stagnating(mesh, problem));
   if(std::isfinite(bound) && found.map.is_solution() && !progress.is_interrupted())
-    found = bound_angle_distortion_3(mesh, problem, bound, sliding.has_value(), minimize, std::move(found));
+    found = bound_angle_distortion_3(mesh, problem, bound, do_slide, minimize, std::move(found));
   if(options.minimize_maximum_angle_distortion && found.map.is_solution() && !progress.is_interrupted())
-    found = minimize_angle_distortion_3(mesh, problem, sliding.has_value(), minimize, std::move(found));
+    found = minimize_angle_distortion_3(mesh, problem, do_slide, minimize, std::move(found));
   return found;
 }
 

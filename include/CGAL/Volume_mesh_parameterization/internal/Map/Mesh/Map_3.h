@@ -24,8 +24,20 @@ inline Vector_3 offset_3(const Matrix_3& projector, const Vector_3& position, co
   return d[0] * Q.col(0) + (d[1] * Q.col(1) + d[2] * Q.col(2));
 }
 
-// The positions with the prescribed vertices on their targets, or at the nearest points at which they may be. A coordinate that
-// cannot change has the bits of the target.
+// Returns the nearest point at which a vertex may be. A coordinate that cannot change has the bits of the target.
+inline Vector_3 allowed_point_3(const Vertex_condition_3& condition, const Vector_3& position, const Vector_3& target)
+{
+  if(condition.is_sliding())
+    return put_on_surface_3(condition, position).first;
+  const Matrix_3 projector = projector_3(condition);
+  Vector_3 result = position - offset_3(projector, position, target);
+  for(int k = 0; k < 3; ++k)
+    if(projector.row(k) == Vector_3::Zero())
+      result[k] = target[k];
+  return result;
+}
+
+// Returns the positions with the prescribed vertices on their targets, or at the nearest points at which they may be.
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
 {
   const int n = mesh.number_of_prescribed_vertices();
@@ -34,16 +46,7 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
   for(std::size_t i = 0; i < conditions.size(); ++i)
   {
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
-    if(conditions[i].is_sliding())
-    {
-      positions.col(v) = put_on_surface_3(conditions[i], positions.col(v)).first;
-      continue;
-    }
-    const Matrix_3 projector = projector_3(conditions[i]);
-    positions.col(v) -= offset_3(projector, positions.col(v), mesh.target.col(v));
-    for(int k = 0; k < 3; ++k)
-      if(projector.row(k) == Vector_3::Zero())
-        positions(k, v) = mesh.target(k, v);
+    positions.col(v) = allowed_point_3(conditions[i], positions.col(v), mesh.target.col(v));
   }
   return positions;
 }
@@ -63,12 +66,9 @@ inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   for(int i = 0; i < n; ++i)
   {
     const int v = mesh.number_of_free_vertices + i;
-    const bool is_on_surface = conditions[i].is_sliding();
-    const Matrix_3 projector = projector_3(conditions[i]);
-    const double distance
-      = is_on_surface ? length_3(put_on_surface_3(conditions[i], positions.col(v)).first - Vector_3(positions.col(v)))
-                      : length_3(offset_3(projector, positions.col(v), mesh.target.col(v)));
-    if(distance > (projector.is_diagonal() && !is_on_surface ? 0 : rounding))
+    const Vector_3 p = positions.col(v);
+    const double distance = length_3(allowed_point_3(conditions[i], p, mesh.target.col(v)) - p);
+    if(distance > (projector_3(conditions[i]).is_diagonal() && !conditions[i].is_sliding() ? 0 : rounding))
       result = (std::max)(result, distance);
   }
   return result;

@@ -119,7 +119,8 @@ private:
 class Sliding_boundary_3
 {
 public:
-  explicit Sliding_boundary_3(const Numbered_mesh_3& mesh) : m_mesh(mesh), m_conditions(mesh.sliding_conditions)
+  explicit Sliding_boundary_3(const Numbered_mesh_3& mesh)
+    : m_mesh(mesh), m_conditions(mesh.sliding_conditions.empty() ? mesh.conditions : mesh.sliding_conditions)
   {
     if(!has_kind(m_conditions, Vertex_condition_3::IN_BOUNDARY))
       return;
