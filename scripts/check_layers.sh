@@ -32,7 +32,7 @@ part_of()
     Tetrahedron_soup_3.h | conditions_of_patches.h | mesh_complex_3_to_tetrahedron_soup.h | orient_tetrahedron_soup.h | \
       repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Soups ;;
     Volume_map_3.h) REPLY=Evaluation ;;
-    *_boundary_parameterizer_3.h | boundary_vertices.h) REPLY=Boundary ;;
+    *_boundary_parameterizer_3.h | boundary_vertices.h | measure_surface_fit.h) REPLY=Boundary ;;
     IO/*.h) REPLY=IO ;;
     Distributed/*.h) REPLY=Distributed ;;
     *) REPLY="no part" ;;

@@ -12,6 +12,7 @@ first, and passes the images as `boundary_map`. This is necessary for corners, l
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3}
 \cgalHasModels{CGAL::Volume_mesh_parameterization::Surface_boundary_parameterizer_3}
+\cgalHasModels{CGAL::Volume_mesh_parameterization::Surface_fit_boundary_parameterizer_3}
 \cgalHasModelsEnd
 
 \sa `CGAL::stretch_minimizing_volume_parameterization()`

@@ -130,8 +130,8 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
                           + counted(parts[i].number_of_triangles(), "triangle that matches", "triangles that match")
                           + " no part of the boundary of the source with "
                           + counted(boundary.surfaces[0].number_of_triangles(), "triangle", "triangles")
-                          + ". Move the triangles of the source onto the surface, for instance to its nearest points; or map both "
-                            "bodies to a ball, as the example body_to_body.cpp does");
+                          + ". Move the triangles of the source onto the surface, for instance to its nearest points; or fit the "
+                            "body to the surface, as the example body_to_scan.cpp does");
       if(best == nullptr || matchings[i].matching->displacement < best->matching->displacement)
         best = &matchings[i];
     }

@@ -1,0 +1,112 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_FIT_BOUNDARY_PARAMETERIZER_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_FIT_BOUNDARY_PARAMETERIZER_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_parameterizer_base_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_surface_3.h>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationBoundary
+
+maps the boundary of a complex onto a surface with other triangles, for instance a scan. Both are topological spheres.
+
+Both surfaces are mapped to the unit sphere, as by `Ball_boundary_parameterizer_3`. There, the boundary is turned. With landmarks,
+the turn brings them as close to their points as possible, in the sense of least squares. Otherwise, it puts the principal axes of
+the body on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of the
+target.
+
+An edge of the image leaves the target where the target bends. If the call for a map may split boundary edges, edges are split
+until no facet of the image is turned over or intersects another one. Otherwise, the image may do both, and there is no map then.
+`measure_surface_fit()` measures how close the image is to the target.
+
+The images of the boundary are starting points: vertices slide on the target if the call for a map is repeated with
+`Vertex_condition_3::on_surface()` for the boundary.
+
+`parameterize()` returns `OK`. Otherwise, it writes nothing and returns one of the codes of `Ball_boundary_parameterizer_3`,
+`ERROR_INVALID_LANDMARK` if a landmark is not finite, or `ERROR_TARGET_NOT_A_SPHERE`. A call for a map returns
+`ERROR_BOUNDARY_TOO_COARSE` if the boundary would need far more vertices. A finer body or landmarks may help. Bodies with handles
+are mapped by `Surface_boundary_parameterizer_3` or `Polycube_boundary_parameterizer_3`.
+
+The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of both surfaces, if few edges are split.
+
+\cgalModels{BoundaryParameterizer_3}
+
+\sa `Surface_boundary_parameterizer_3`
+\sa `Triangulated_surface_3`
+*/
+class Surface_fit_boundary_parameterizer_3
+  : public internal::Boundary_parameterizer_base_3<Surface_fit_boundary_parameterizer_3>
+{
+  friend internal::Boundary_parameterizer_base_3<Surface_fit_boundary_parameterizer_3>;
+
+public:
+  /// The type of a point.
+  using Point = std::array<double, 3>;
+
+  /// stores copies of the surface and the landmarks.
+  ///
+  /// \param points the points of the target
+  /// \param triangles its triangles, by the indices of their points, counterclockwise as seen from outside
+  /// \param landmarks points of the body, each with the point of the target that it should be near to. The nearest vertex of the
+  ///        boundary and the nearest point of the target stand for them
+  ///
+  /// \pre The indices are in range; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+  Surface_fit_boundary_parameterizer_3(const std::vector<Point>& points,
+                                       const std::vector<std::array<std::size_t, 3> >& triangles,
+                                       const std::vector<std::pair<Point, Point> >& landmarks = {})
+  {
+    for(const Point& p : points)
+      m_target.points.push_back(internal::to_vector(p));
+    for(const std::array<std::size_t, 3>& triangle : triangles)
+      for(const std::size_t v : triangle)
+        internal::require(v < points.size(), "A triangle of the target has a point that does not exist.");
+    m_target.facets = triangles;
+    for(const auto& [p, q] : landmarks)
+      m_landmarks.emplace_back(internal::to_vector(p), internal::to_vector(q));
+  }
+
+#ifdef DOXYGEN_RUNNING
+  /// writes the image of each vertex of the boundary of a complex, as described in `BoundaryParameterizer_3`.
+  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
+  /// writes the image of each point on the boundary of a mesh that is given by arrays, as described there.
+  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
+  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
+                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
+#endif
+
+private:
+  struct Given {};
+
+  Error_code find(const internal::Body_3& body, Given, const bool may_refine, const internal::Budget& budget,
+                  std::vector<internal::Mapped_boundary_3>& boundaries) const
+  {
+    const internal::Numbered_surface_3 surface = internal::surface_of(body);
+    const internal::Surface_images_3 found = internal::map_to_surface_3(surface, m_target, m_landmarks, may_refine, budget);
+    if(budget.is_exhausted()) // then the status does not matter
+      return ERROR_INTERRUPTED;
+    if(found.status == OK)
+      boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images));
+    return found.status;
+  }
+
+  internal::Numbered_surface_3 m_target;
+  internal::Point_pairs_3 m_landmarks;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_SURFACE_FIT_BOUNDARY_PARAMETERIZER_3_H

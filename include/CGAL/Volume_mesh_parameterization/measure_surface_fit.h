@@ -1,0 +1,106 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_SURFACE_FIT_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_SURFACE_FIT_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
+
+#include <CGAL/Polygon_mesh_processing/distance.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+namespace CGAL::Volume_mesh_parameterization {
+
+/*!
+\ingroup PkgVolumeMeshParameterizationResults
+
+How close the boundary of a mesh is to a surface with other triangles.
+*/
+struct Surface_fit_3
+{
+  /// the largest distance of a vertex of the boundary to the surface
+  double largest_distance_to_surface = 0;
+
+  /// the largest distance of a point of the surface to the boundary, up to a thousandth of the diagonal of the surface
+  double largest_distance_from_surface = 0;
+
+  /// the number of facets whose normals are opposite to those of the surface at the nearest points of their vertices and center
+  std::size_t number_of_turned_facets = 0;
+
+  /// the number of pairs of facets that intersect each other
+  std::size_t number_of_intersections = 0;
+};
+
+/*!
+\ingroup PkgVolumeMeshParameterizationFunctions
+
+measures how close the boundary of a mesh is to a surface, for instance after a fit by `Surface_fit_boundary_parameterizer_3`.
+
+\param points the points of the mesh: the images, a range as `CGAL::stretch_minimizing_volume_parameterization()` takes it
+\param cells four indices of points each
+\param points_of_surface the points of the surface
+\param triangles the triangles of the surface, by the indices of their points
+
+\exception Input_error names a wrong index or a coordinate that is not finite.
+
+\pre Both surfaces are closed manifolds; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+
+\sa `Surface_fit_boundary_parameterizer_3`
+*/
+template <typename PointRange, typename CellRange>
+Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cells,
+                                  const std::vector<std::array<double, 3> >& points_of_surface,
+                                  const std::vector<std::array<std::size_t, 3> >& triangles)
+{
+  const Triangulated_surface_3 surface(points_of_surface, triangles); // with the checks
+  const auto mesh_of = [](const internal::Numbered_surface_3& numbered)
+  {
+    internal::Boundary_mesh_3 mesh;
+    internal::require(internal::build_boundary_mesh_3(numbered, mesh) == OK, "The surfaces must be closed manifolds.");
+    return mesh;
+  };
+  internal::Numbered_surface_3 target;
+  for(const std::array<double, 3>& p : points_of_surface)
+    target.points.push_back(internal::to_vector(p));
+  target.facets = triangles;
+  const internal::Boundary_mesh_3 image = mesh_of(internal::surface_of(internal::body_of(points, cells)));
+  const internal::Boundary_mesh_3 mesh_of_target = mesh_of(target);
+
+  Surface_fit_3 result;
+  const auto nearest = [&](const Eigen::Vector3d& p) { return surface.nearest_point({ p[0], p[1], p[2] }); };
+  for(const auto v : image.vertices())
+  {
+    const Eigen::Vector3d p = internal::eigen_point(image, v), q = internal::to_vector(nearest(p).point);
+    result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
+  }
+  for(const auto f : image.faces())
+  {
+    std::array<Eigen::Vector3d, 4> points; // the last one is the center
+    for(int i = 0; i < 3; ++i)
+      points[i] = internal::eigen_point(image, internal::vertices_of_face(image, f)[i]);
+    points[3] = (points[0] + points[1] + points[2]) / 3;
+    const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
+    result.number_of_turned_facets += std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p)
+    { return normal.dot(Eigen::Vector3d(internal::to_vector(nearest(p).direction))) <= 0; });
+  }
+  result.largest_distance_from_surface = Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(
+    mesh_of_target, image, 1e-3 * internal::bounding_box(mesh_of_target).diagonal().norm());
+  std::vector<std::pair<internal::Boundary_mesh_3::Face_index, internal::Boundary_mesh_3::Face_index> > pairs;
+  Polygon_mesh_processing::self_intersections(image, std::back_inserter(pairs));
+  result.number_of_intersections = pairs.size();
+  return result;
+}
+
+} // namespace CGAL::Volume_mesh_parameterization
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_MEASURE_SURFACE_FIT_H

@@ -1,0 +1,188 @@
+// Boundaries mapped to surfaces with other triangles.
+#include "catch.h"
+#include "cube_mesh.h"
+
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_fit_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
+#include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
+
+#include <CGAL/exceptions.h>
+#include <CGAL/property_map.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace params = CGAL::parameters;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
+namespace { namespace of_fits {
+
+using Point = std::array<double, 3>;
+using Points = std::vector<Point>;
+using Fit = VMP::Surface_fit_boundary_parameterizer_3;
+
+struct Surface
+{
+  Points points;
+  std::vector<std::array<std::size_t, 3> > triangles;
+};
+
+// The cube [-1, 1]^3 of 6 n^3 cells.
+VMP::Tetrahedron_soup_3 cube(const int n)
+{
+  VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(n));
+  for(Point& p : soup.points)
+    for(double& x : p)
+      x = 2 * x / n - 1;
+  return soup;
+}
+
+// Latitudes and longitudes of an ellipsoid with the radii 3, 2 and 1: triangles that no cube has.
+Surface ellipsoid(const int latitudes, const int longitudes)
+{
+  Surface result;
+  result.points = { { 0, 0, -1 }, { 0, 0, 1 } };
+  const auto index = [&](const int i, const int j) { return std::size_t(2 + (i - 1) * longitudes + j % longitudes); };
+  for(int i = 1; i < latitudes; ++i)
+    for(int j = 0; j < longitudes; ++j)
+    {
+      const double theta = CGAL_PI * i / latitudes, phi = 2 * CGAL_PI * (j + i / 2.) / longitudes;
+      result.points.push_back({ 3 * std::sin(theta) * std::cos(phi), 2 * std::sin(theta) * std::sin(phi), -std::cos(theta) });
+    }
+  for(int j = 0; j < longitudes; ++j)
+  {
+    result.triangles.push_back({ 0, index(1, j + 1), index(1, j) });
+    result.triangles.push_back({ 1, index(latitudes - 1, j), index(latitudes - 1, j + 1) });
+    for(int i = 1; i + 1 < latitudes; ++i)
+    {
+      result.triangles.push_back({ index(i, j), index(i, j + 1), index(i + 1, j) });
+      result.triangles.push_back({ index(i + 1, j), index(i, j + 1), index(i + 1, j + 1) });
+    }
+  }
+  return result;
+}
+
+// A torus of a grid.
+Surface torus(const int n)
+{
+  Surface result;
+  const auto index = [&](const int i, const int j) { return std::size_t((i % n) * n + j % n); };
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+    {
+      const double u = 2 * CGAL_PI * i / n, v = 2 * CGAL_PI * j / n, r = 3 + std::cos(v);
+      result.points.push_back({ r * std::cos(u), r * std::sin(u), std::sin(v) });
+      result.triangles.push_back({ index(i, j), index(i + 1, j), index(i, j + 1) });
+      result.triangles.push_back({ index(i + 1, j), index(i + 1, j + 1), index(i, j + 1) });
+    }
+  return result;
+}
+
+double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
+
+} // namespace of_fits
+
+using namespace of_fits;
+
+TEST_CASE("A cube is fitted to an ellipsoid, slides on it, and keeps all vertices of the boundary there")
+{
+  const Surface target = ellipsoid(12, 17);
+  VMP::Tetrahedron_soup_3 mesh = cube(5);
+  Points uvw;
+  const VMP::Parameterization_result fitted = CGAL::stretch_minimizing_volume_parameterization(
+    mesh, uvw, params::boundary_parameterizer(Fit(target.points, target.triangles)));
+  REQUIRE(fitted.status == VMP::OK);
+  CHECK(fitted.boundary_residual == 0);
+  const auto check = [&](const Points& images)
+  {
+    const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(images, mesh.cells, target.points, target.triangles);
+    CHECK(fit.largest_distance_to_surface < 1e-14);
+    CHECK(fit.largest_distance_from_surface > 0.01);
+    CHECK(fit.largest_distance_from_surface < 0.5);
+    CHECK(fit.number_of_turned_facets == 0);
+    CHECK(fit.number_of_intersections == 0);
+  };
+  check(uvw);
+
+  const VMP::Triangulated_surface_3 surface(target.points, target.triangles);
+  std::vector<VMP::Vertex_condition_3> conditions(mesh.points.size());
+  for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
+    conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
+  Points slid;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    mesh, uvw, slid, params::do_refine(false).vertex_condition_map(CGAL::make_property_map(conditions))
+                                             .initial_map(CGAL::make_property_map(uvw)));
+  REQUIRE(result.has_valid_map);
+  CHECK(result.energy < 0.99 * fitted.energy);
+  check(slid);
+}
+
+TEST_CASE("Principal axes, or landmarks instead, turn a body onto its target")
+{
+  const Surface target = ellipsoid(24, 34);
+  VMP::Tetrahedron_soup_3 mesh = cube(6);
+  for(Point& p : mesh.points) // the longest axis is z, and no other one is as long as that
+    p = { p[0], 2 * p[1], 3 * p[2] };
+  const auto image_of = [&](const Fit& fit, const Point& p)
+  {
+    Points targets;
+    REQUIRE(fit.parameterize(mesh.points, mesh.cells, targets) == VMP::OK);
+    std::size_t nearest = 0;
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+      if(distance(mesh.points[v], p) < distance(mesh.points[nearest], p))
+        nearest = v;
+    return targets[nearest];
+  };
+  const Point end = image_of(Fit(target.points, target.triangles), { 0, 0, 3 });
+  CHECK(std::abs(end[0]) > 2.7);
+
+  const Fit turned(target.points, target.triangles, { { { 0, 0, 3 }, { 0, 0, 9 } }, { { 0, 2, 0 }, { 9, 0, 0 } },
+                                                      { { 1, 0, 0 }, { 0, 9, 0 } } });
+  CHECK(distance(image_of(turned, { 0, 0, 3 }), { 0, 0, 1 }) < 0.5);
+  CHECK(distance(image_of(turned, { 0, 2, 0 }), { 3, 0, 0 }) < 0.5);
+}
+
+TEST_CASE("A fit needs two spheres and finite landmarks")
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const Surface sphere = ellipsoid(4, 5), ring = torus(6);
+  const VMP::Tetrahedron_soup_3 mesh = cube(2);
+  Points targets;
+  const auto parameterize = [&](const Fit& fit) { return fit.parameterize(mesh.points, mesh.cells, targets); };
+  CHECK(parameterize(Fit(ring.points, ring.triangles)) == VMP::ERROR_TARGET_NOT_A_SPHERE);
+  auto open = sphere.triangles;
+  open.pop_back();
+  CHECK(parameterize(Fit(sphere.points, open)) == VMP::ERROR_TARGET_NOT_A_SPHERE);
+  CHECK(parameterize(Fit({}, {})) == VMP::ERROR_TARGET_NOT_A_SPHERE);
+  CHECK(parameterize(Fit(sphere.points, sphere.triangles, { { { 0, 0, nan }, { 0, 0, 1 } } })) == VMP::ERROR_INVALID_LANDMARK);
+  CHECK(parameterize(Fit(sphere.points, sphere.triangles, { { { 0, 0, 1 }, { 0, nan, 1 } } })) == VMP::ERROR_INVALID_LANDMARK);
+  CHECK(targets.empty());
+  CHECK_THROWS_AS(Fit({}, { { 0, 1, 2 } }), CGAL::Precondition_exception);
+}
+
+TEST_CASE("A fit is measured in both directions")
+{
+  const VMP::Tetrahedron_soup_3 mesh = cube(2);
+  Surface box; // the boundary of [-1, 1]^2 x [-1, 4]
+  const VMP::Tetrahedron_soup_3 coarse = cube(1);
+  for(const Point& p : coarse.points)
+    box.points.push_back({ p[0], p[1], p[2] > 0 ? 4. : -1. });
+  box.triangles = VMP::internal::boundary_facets_3(coarse.cells);
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(mesh.points, mesh.cells, box.points, box.triangles);
+  CHECK(std::abs(fit.largest_distance_to_surface - 1) < 1e-14); // of the middle of the upper side
+  CHECK(std::abs(fit.largest_distance_from_surface - 3) < 0.01);
+  CHECK(fit.number_of_intersections == 0);
+
+  Points turned = mesh.points; // inside out
+  for(Point& p : turned)
+    p[0] = -p[0];
+  CHECK(VMP::measure_surface_fit(turned, mesh.cells, box.points, box.triangles).number_of_turned_facets > 30);
+}
+
+} // namespace
