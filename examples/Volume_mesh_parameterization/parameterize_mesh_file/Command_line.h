@@ -49,7 +49,7 @@ R"(Examples:
   parameterize_mesh_file cube.mesh cube_to_ball.txt --refine --output ball.mesh --refined-source source.mesh
       A text prescribes the boundary. Other programs can use this pair of meshes with the same cells.
 
-Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube [options]
+Usage: parameterize_mesh_file SOURCE.mesh --to ball|cube|box=X,Y,Z|polycube|SURFACE.stl [options]
        parameterize_mesh_file SOURCE.mesh TARGET [options]
        parameterize_mesh_file SOURCE.mesh --conditions FILE [options]
        parameterize_mesh_file SOURCE.mesh --improve [options]
@@ -158,7 +158,8 @@ inline Command_line command_line(Options& options)
   boundary.add_options()
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "the domain, instead of TARGET. ball: the unit ball. cube: the unit cube. box=X,Y,Z: a box with sides of these lengths. "
-     "polycube: a polycube close to the source. --to refines the source like --refine=boundary, unless --refine=none is given")
+     "polycube: a polycube close to the source. A closed surface (*.off, *.stl, *.obj or *.ply) may have any triangles: the "
+     "boundary is fitted to it. --to refines the source like --refine=boundary, unless --refine=none is given")
     ("polycube-axes", po::value(&options.polycube_axes)->value_name("WHICH")->default_value("found"),
      "found: the source is turned until its faces are nearly normal to the axes of the polycube. given: it is not turned")
     ("improve", po::bool_switch(&options.do_improve),
@@ -166,8 +167,8 @@ inline Command_line command_line(Options& options)
      "interior triangles stay. The other vertices move until each cell is as regular as possible. With --refine, cells whose "
      "vertices all stay are split")
     ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
-     "a file like TARGET with lines for some vertices, for --to. A ball is turned to bring these vertices close to their "
-     "points. A box has eight landmarks as corners, each in the octant of its point")
+     "a file like TARGET with lines for some vertices, for --to. A ball, or a source that is fitted to a surface, is turned to "
+     "bring these vertices close to their points. A box has eight landmarks as corners, each in the octant of its point")
     ("displacements", po::bool_switch(&options.are_displacements), "TARGET contains displacements, not positions")
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
      "the treatment of boundary vertices without a target. missing: there is no map. stay: they keep their positions. slide: "
@@ -193,7 +194,8 @@ inline Command_line command_line(Options& options)
      "between boundary vertices if these edges make the map slow or distorted. boundary, and --refine without a value: also on "
      "edges of the boundary if a polycube needs this. all: first in all interior edges between boundary vertices")
     ("slide", po::bool_switch(&options.do_slide),
-     "let vertices move in the planes, along the edges and on curved patches of the target, for a lower distortion");
+     "let vertices move in the planes, along the edges and on curved patches of the target, or on the surface of --to, for a "
+     "lower distortion");
 
   po::options_description distortion = options_of_both_programs::distortion(
     options, "stretch; mips with --improve; symmetric_dirichlet if boundary vertices are free");

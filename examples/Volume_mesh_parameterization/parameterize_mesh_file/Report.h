@@ -37,6 +37,7 @@ struct Outcome
   // vertices of the boundary: free, in planes, on lines, at targets, on surfaces, on curves
   std::array<std::size_t, 6> numbers_of_conditions = {};
   std::optional<CGAL::Polycube_meshing_3::Polycube_result> polycube = {};
+  std::optional<CGAL::Volume_mesh_parameterization::Surface_fit_3> surface_fit = {};
   // if hexahedra were to be made, and there was a map to make them of
   std::optional<CGAL::Polycube_meshing_3::Hexahedral_mesh_result> hexahedra = {};
 };
@@ -197,6 +198,21 @@ inline void add(JSON_object& report, const CGAL::Polycube_meshing_3::Polycube_re
         .add("features_given_up", points);
 }
 
+inline JSON_object json(const CGAL::Volume_mesh_parameterization::Surface_fit_3& fit)
+{
+  return JSON_object().add("distance_to_surface", fit.largest_distance_to_surface)
+                      .add("distance_from_surface", fit.largest_distance_from_surface)
+                      .add("turned_facets", fit.number_of_turned_facets).add("intersections", fit.number_of_intersections);
+}
+
+inline void print(const CGAL::Volume_mesh_parameterization::Surface_fit_3& fit)
+{
+  std::cout << "boundary: vertices are at most " << fit.largest_distance_to_surface << " away from the surface, and the surface "
+            << fit.largest_distance_from_surface << " from the boundary; "
+            << counted(fit.number_of_turned_facets, "facet is turned over, ", "facets are turned over, ")
+            << counted(fit.number_of_intersections, "pair of facets intersects", "pairs of facets intersect") << "\n";
+}
+
 // Without a map, bad input has nothing but its message and the options.
 inline void write_report(const Options& options, const Outcome& outcome, Progress_line& progress)
 {
@@ -225,6 +241,8 @@ inline void write_report(const Options& options, const Outcome& outcome, Progres
           .add("seconds_hexahedra", outcome.seconds_hexahedra);
     if(outcome.polycube)
       add(report, *outcome.polycube);
+    if(outcome.surface_fit)
+      report.add("surface_fit", json(*outcome.surface_fit));
     if(outcome.hexahedra)
       report.add("hexahedra", json(*outcome.hexahedra));
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());

@@ -39,7 +39,7 @@ inline std::vector<std::string> without_empty(std::vector<std::string> names)
 inline std::vector<std::string> inputs(const Options& options)
 {
   return without_empty({ options.source, options.target, options.features, options.landmarks, options.conditions,
-                         options.initial });
+                         options.initial, is_surface_domain(options.domain) ? options.domain : "" });
 }
 
 inline std::vector<std::string> outputs(const Options& options)
@@ -80,16 +80,16 @@ inline void check(const Options& options)
   named_solver(options.solver);
   named_boundary_mode(options.boundary);
   named_refinement(options.refinement);
-  if(!options.domain.empty())
+  if(!options.domain.empty() && !is_surface_domain(options.domain))
     named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
   if(named_polycube_axes(options.polycube_axes) != CGAL::Polycube_meshing_3::Polycube_axes::FOUND
      && options.domain != "polycube")
     throw std::runtime_error("--polycube-axes needs --to polycube");
   if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
-    throw std::runtime_error("--landmarks needs --to ball, --to cube or --to box=X,Y,Z");
-  if(!options.hexahedra.empty() && options.domain == "ball")
+    throw std::runtime_error("--landmarks needs --to ball, --to cube, --to box=X,Y,Z or --to with a surface");
+  if(!options.hexahedra.empty() && (options.domain == "ball" || is_surface_domain(options.domain)))
     throw std::runtime_error("hexahedra need a box or a polycube: use --to cube, --to box=X,Y,Z or --to polycube instead of "
-                             "ball");
+                             + options.domain);
   if(!options.conditions.empty()
      && (!options.domain.empty() || options.do_improve || options.do_slide || options.others == "slide"))
     throw std::runtime_error("--conditions excludes --to, --improve, --slide and --others slide");

@@ -13,7 +13,9 @@
 #include "read_source.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
+#include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -40,6 +42,7 @@ struct Mapped_mesh
   Target_points target; // none on a domain
   Points initial;       // images to start from, or none
   PM::Polycube_result polycube = {};
+  Target_surface surface = {}; // has no triangles for other targets
   Points uvw = {};
   Result result = {};
 };
@@ -62,6 +65,28 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
   mapped.target.conditions.resize(n);
   if(!mapped.initial.empty())
     mapped.initial.resize(n, { nan, nan, nan });
+  return result;
+}
+
+// Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is.
+template <typename NamedParameters>
+Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
+{
+  const VMP::Triangulated_surface_3 surface(mapped.surface.points, mapped.surface.triangles);
+  std::vector<VMP::Vertex_condition_3> conditions(mapped.mesh.points.size());
+  for(const std::size_t v : VMP::boundary_vertices(mapped.mesh.points, mapped.mesh.cells))
+    conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
+  Points uvw;
+  Result result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
+    mapped.mesh, mapped.uvw, uvw, np.do_refine(false).vertex_condition_map(CGAL::make_property_map(conditions))
+                                    .initial_map(CGAL::make_property_map(mapped.uvw)));
+  if(!result.has_valid_map || result.boundary_residual > 0)
+    return fitted;
+  mapped.uvw = std::move(uvw);
+  result.number_of_added_vertices = fitted.number_of_added_vertices;
+  result.number_of_added_boundary_vertices = fitted.number_of_added_boundary_vertices;
+  result.seconds_boundary = fitted.seconds_boundary;
+  result.seconds_total += fitted.seconds_total;
   return result;
 }
 
@@ -91,7 +116,8 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
     {
       if(mapped.target.is_boundary_free)
         return map_to(np.vertex_condition_map(CGAL::make_property_map(mapped.target.conditions)));
-      const auto sliding = np.do_slide_boundary(options.do_slide || named_others(options.others) == Others::SLIDE);
+      const bool is_fit = is_surface_domain(options.domain);
+      const auto sliding = np.do_slide_boundary((options.do_slide && !is_fit) || named_others(options.others) == Others::SLIDE);
       if(options.domain.empty())
         return map_to(sliding.vertex_is_constrained_map(is_at_target_map(mapped.target)));
       const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes));
@@ -99,9 +125,10 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
       {
         return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.uvw,
                                                                                  sliding.boundary_parameterizer(boundary));
-      }, named_boundary_parameterizer(options.domain, polycube, landmarks));
+      }, is_fit ? surface_fit(mapped.surface, landmarks, mapped.mesh.points)
+                : named_boundary_parameterizer(options.domain, polycube, landmarks));
       mapped.polycube = polycube.result();
-      return result;
+      return is_fit && options.do_slide && result.has_valid_map ? slid_on_surface(mapped, result, np) : result;
     };
     return mapped.initial.empty() ? map(np) : map(np.initial_map(CGAL::make_property_map(mapped.initial)));
   }, named_solver(options.solver));
@@ -166,6 +193,8 @@ inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options,
   const std::size_t number_of_splits = splits_all_bridges ? split_bridges(mapped, progress) : 0;
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"
                                         : "mapping the boundary to " + options.domain);
+  if(is_surface_domain(options.domain))
+    mapped.surface = read_target_surface(options.domain);
   Result& result = mapped.result;
   result = naming(options.source, [&] { return parameterize(mapped, options, landmarks, progress); });
   result.number_of_added_vertices += number_of_splits;

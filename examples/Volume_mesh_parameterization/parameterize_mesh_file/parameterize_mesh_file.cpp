@@ -203,6 +203,9 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
+  if(!mapped.surface.triangles.empty())
+    outcome.surface_fit
+      = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.triangles);
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
   if(has_file && outcome.exit_code == SUCCESS && !target.is_boundary_free && !options.do_slide
@@ -282,6 +285,8 @@ int main(int argc, char* argv[])
         std::cout << "the image of the free boundary intersects itself\n";
       if(outcome.number_of_free_targets > 0)
         std::cout << inside(outcome.number_of_free_targets) << " ignored; --inside met prescribes them\n";
+      if(outcome.surface_fit)
+        print(*outcome.surface_fit);
       if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
         print(*outcome.hexahedra);
     }
