@@ -27,8 +27,8 @@ The ways in which a parameterization can end.
 With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED`, there
 is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
 `Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_TARGET_NOT_A_SPHERE` come from models of `BoundaryParameterizer_3`. The last six are codes of
-the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns the
+`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_TARGET_NOT_A_SPHERE` come from models of `BoundaryParameterizer_3`. The last six are
+codes of the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns the
 status of its boundary parameterizer. Hexahedra also share the codes for bad input.
 */
 enum Error_code
@@ -120,8 +120,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_INVALID_LANDMARK:
       return "Each landmark must be a vertex of the boundary of the complex, and its point must be finite.";
     case ERROR_TARGET_NOT_A_SPHERE:
-      return "The target surface must be a topological sphere: closed, connected, and without handles. Repair it, or choose another "
-             "target.";
+      return "The target surface must be a topological sphere: closed, connected, and without handles. Repair it, or choose "
+             "another target.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:
