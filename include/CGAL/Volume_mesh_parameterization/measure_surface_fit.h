@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/surface_of_body_3.h>
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
