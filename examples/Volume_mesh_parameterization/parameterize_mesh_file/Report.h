@@ -11,6 +11,7 @@
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
 
 #include <boost/algorithm/string/replace.hpp>
 

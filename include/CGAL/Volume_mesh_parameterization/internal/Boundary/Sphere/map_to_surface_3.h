@@ -150,14 +150,15 @@ private:
   // Returns the crossing with an edge of the target that is next to the middle, and not almost at an end.
   std::optional<Eigen::Vector3d> middle_crossing(const Edge& edge) const
   {
-    constexpr double smallest_part = 1e-3; // a guess
+    constexpr double smallest_part = 1e-3, smallest_distance = 1e-10; // guesses
     const Eigen::Vector3d &p = m_directions[edge[0]], &q = m_directions[edge[1]], normal = p.cross(q);
     std::optional<Eigen::Vector3d> result;
     double best = smallest_part;
     for(const auto& [a, b] : m_target->edges())
     {
       const double above = normal.dot(a), below = normal.dot(b);
-      if((above > 0) == (below > 0))
+      const bool ends_on_edge = (std::min)(std::abs(above), std::abs(below)) < smallest_distance * normal.norm();
+      if((above > 0) == (below > 0) || ends_on_edge) // rounding decides on which side such an end is
         continue;
       const Eigen::Vector3d crossing = ((above * b - below * a) / (above - below)).normalized();
       const Eigen::Vector3d across = normal.cross(p), along = q.cross(normal);
