@@ -57,8 +57,8 @@ int main()
   for(const std::size_t v : VMP::boundary_vertices(elephant.points, elephant.cells))
     conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    elephant, fitted, slid, params::do_refine(false).vertex_condition_map(CGAL::make_property_map(conditions))
-                                                    .initial_map(CGAL::make_property_map(fitted)));
+    elephant, fitted, slid, params::refinement_mode(VMP::Refinement_mode::NONE)
+      .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(fitted)));
   std::cout << result.message << " Energy " << result.energy << std::endl;
 
   const VMP::Surface_fit_3 measured = VMP::measure_surface_fit(slid, elephant.cells, points, triangles);

@@ -116,8 +116,8 @@ TEST_CASE("A cube is fitted to an ellipsoid, slides on it, and keeps all vertice
     conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
   Points slid;
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-    mesh, uvw, slid, params::do_refine(false).vertex_condition_map(CGAL::make_property_map(conditions))
-                                             .initial_map(CGAL::make_property_map(uvw)));
+    mesh, uvw, slid, params::refinement_mode(VMP::Refinement_mode::NONE)
+      .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(uvw)));
   REQUIRE(result.has_valid_map);
   CHECK(result.energy < 0.99 * fitted.energy);
   check(slid);

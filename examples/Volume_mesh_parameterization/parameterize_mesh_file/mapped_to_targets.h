@@ -78,8 +78,8 @@ Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedPar
     conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
   Points uvw;
   Result result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
-    mapped.mesh, mapped.uvw, uvw, np.do_refine(false).vertex_condition_map(CGAL::make_property_map(conditions))
-                                    .initial_map(CGAL::make_property_map(mapped.uvw)));
+    mapped.mesh, mapped.uvw, uvw, np.refinement_mode(VMP::Refinement_mode::NONE)
+      .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(mapped.uvw)));
   if(!result.has_valid_map || result.boundary_residual > 0)
     return fitted;
   mapped.uvw = std::move(uvw);
