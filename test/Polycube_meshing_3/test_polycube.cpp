@@ -46,6 +46,7 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point_3 = K::Point_3;
+using Vector_3 = K::Vector_3;
 using Tr = CGAL::Tetrahedral_remeshing::Remeshing_triangulation_3<K>;
 using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
 using Vertex_handle = C3t3::Vertex_handle;
@@ -426,13 +427,13 @@ std::array<double, 3> tie(const double x, const double y, const double z)
 {
   const double u = x - 12, v = z - 12, t = std::atan2(v, u), along = 0.1 * (y - 2);
   const double outwards = 0.1 * ((std::max)(std::abs(u), std::abs(v)) - 9);
-  const K::Vector_3 curve(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
-  const K::Vector_3 tangent(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t), -3 * std::cos(3 * t));
-  K::Vector_3 normal = CGAL::cross_product(tangent, K::Vector_3(0, 0, 1));
+  const Vector_3 curve(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
+  const Vector_3 tangent(std::cos(t) + 4 * std::cos(2 * t), -std::sin(t) + 4 * std::sin(2 * t), -3 * std::cos(3 * t));
+  Vector_3 normal = CGAL::cross_product(tangent, Vector_3(0, 0, 1));
   normal = normal / std::sqrt(normal.squared_length());
-  K::Vector_3 binormal = CGAL::cross_product(tangent, normal);
+  Vector_3 binormal = CGAL::cross_product(tangent, normal);
   binormal = binormal / std::sqrt(binormal.squared_length());
-  const K::Vector_3 p = curve + outwards * normal + along * binormal;
+  const Vector_3 p = curve + outwards * normal + along * binormal;
   return {p.x(), p.y(), p.z()};
 }
 
@@ -718,8 +719,8 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
   const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
   const Voxel_faces_3 faces(voxels);
   std::vector<std::size_t> face_of_piece = faces.faces;
-  CHECK(are_neighbors_of_pieces(Charts_of_voxels_3(voxels), faces, face_of_piece));
-  CHECK(are_corners_of_pieces(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(have_pieces_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
   // on the left, the side, the front, the wall of the notch and the top now meet at one point, each with the same neighbors
   const auto give = [&](const int x, const int y, const std::size_t direction)
   {
@@ -730,8 +731,8 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
   give(0, 1, 1);
   give(0, 0, 3);
   give(1, 0, 0);
-  CHECK(are_neighbors_of_pieces(Charts_of_voxels_3(voxels), faces, face_of_piece));
-  CHECK(!are_corners_of_pieces(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(have_pieces_the_neighbors_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(!have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
 }
 
 TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")

@@ -27,7 +27,7 @@ The ways in which a parameterization can end.
 With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED`, there
 is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
 `Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_TARGET_NOT_A_SPHERE` come from models of `BoundaryParameterizer_3`. The last six are
+`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_BOUNDARY_NOT_FITTED` come from models of `BoundaryParameterizer_3`. The last six are
 codes of the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns the
 status of its boundary parameterizer. Hexahedra also share the codes for bad input.
 */
@@ -60,6 +60,7 @@ enum Error_code
   ERROR_MIRRORED_CORNERS,            ///< the corners of a cube fit its mirror image
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
   ERROR_TARGET_NOT_A_SPHERE,         ///< the surface to fit to is not closed, not a manifold, not connected or has handles
+  ERROR_BOUNDARY_NOT_FITTED,         ///< on the surface to fit to, facets of the boundary are turned over or intersect others
   // codes of the package Polycube_meshing_3
   ERROR_NO_POLYCUBE,                 ///< no polycube was found, or none with the labels given
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
@@ -122,6 +123,9 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_TARGET_NOT_A_SPHERE:
       return "The target surface must be a topological sphere: closed, connected, and without handles. Repair it, or choose "
              "another target.";
+    case ERROR_BOUNDARY_NOT_FITTED:
+      return "On the target surface, facets of the boundary would be turned over or intersect each other. Give landmarks at limbs, "
+             "or make the boundary finer where the surface is thin.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:

@@ -24,22 +24,21 @@ maps the boundary of a complex onto a surface with other triangles, for instance
 
 Both surfaces are mapped to the unit sphere, as by `Ball_boundary_parameterizer_3`. There, the boundary is turned. With landmarks,
 the turn brings them as close to their points as possible, in the sense of least squares. Otherwise, it puts the principal axes of
-the body on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of the
-target.
+the boundary on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of
+the target. Vertices move on the target to lower the distortion of the boundary, and to turn its facets to the right side.
 
-An edge of the image leaves the target where the target bends. If the call for a map may split boundary edges, edges are split
-until no facet of the image is turned over or intersects another one. Otherwise, the image may do both, and there is no map then.
-`measure_surface_fit()` measures how close the image is to the target.
+All vertices are on the target. Edges of the image are chords, and leave the target where it bends. `measure_surface_fit()`
+measures both distances.
 
 The images of the boundary are starting points: vertices slide on the target if the call for a map is repeated with
 `Vertex_condition_3::on_surface()` for the boundary.
 
-`parameterize()` returns `OK`. Otherwise, it writes nothing and returns one of the codes of `Ball_boundary_parameterizer_3`,
-`ERROR_INVALID_LANDMARK` if a landmark is not finite, or `ERROR_TARGET_NOT_A_SPHERE`. A call for a map returns
-`ERROR_BOUNDARY_TOO_COARSE` if the boundary would need far more vertices. A finer body or landmarks may help. Bodies with handles
-are mapped by `Surface_boundary_parameterizer_3` or `Polycube_boundary_parameterizer_3`.
+`parameterize()` returns `OK` if no facet is turned over and none intersects another one. Otherwise, it writes nothing and returns
+`ERROR_BOUNDARY_NOT_FITTED`, `ERROR_INVALID_LANDMARK` if a landmark is not finite, `ERROR_TARGET_NOT_A_SPHERE`, or one of the codes
+of `Ball_boundary_parameterizer_3`. Fits fail where the target has limbs that are thin or far from those of the body; landmarks may
+help. Bodies with handles are mapped by `Surface_boundary_parameterizer_3` or `Polycube_boundary_parameterizer_3`.
 
-The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of both surfaces, if few edges are split.
+The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of both surfaces.
 
 \cgalModels{BoundaryParameterizer_3}
 
@@ -91,17 +90,9 @@ public:
 private:
   struct Given {};
 
-  Error_code find(const internal::Body_3& body, Given, const bool may_refine, const internal::Budget& budget,
-                  std::vector<internal::Mapped_boundary_3>& boundaries) const
-  {
-    const internal::Numbered_surface_3 surface = internal::surface_of(body);
-    const internal::Surface_images_3 found = internal::map_to_surface_3(surface, m_target, m_landmarks, may_refine, budget);
-    if(budget.is_exhausted()) // then the status does not matter
-      return ERROR_INTERRUPTED;
-    if(found.status == OK)
-      boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images));
-    return found.status;
-  }
+  template <typename Surface>
+  Error_code map(const Surface& surface, Given, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  { return internal::map_to_surface_3(surface, m_target, m_landmarks, images, budget); }
 
   internal::Numbered_surface_3 m_target;
   internal::Point_pairs_3 m_landmarks;

@@ -17,102 +17,88 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+inline Eigen::Vector3d normal_of(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& points)
+{ return (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]); }
+
+// Point of a surface, with its direction in the sphere and a normal. Normals are continuous over the surface.
+struct Surface_place_3
+{
+  Eigen::Vector3d point, direction, normal;
+};
+
 // Triangulated surface with a map onto the unit sphere around the origin. The map is one to one.
 class Surface_on_sphere_3
 {
 public:
   Surface_on_sphere_3(const Numbered_surface_3& surface, const std::vector<Eigen::Vector3d>& directions)
-    : m_surface(surface), m_directions(directions), m_triangles(triangles(surface.points)),
-      m_triangles_in_sphere(triangles(directions)), m_tree(m_triangles.cbegin(), m_triangles.cend()),
-      m_tree_in_sphere(m_triangles_in_sphere.cbegin(), m_triangles_in_sphere.cend())
+    : m_surface(surface), m_directions(directions), m_normals(surface.points.size(), Eigen::Vector3d::Zero())
   {
+    for(const auto& facet : surface.facets)
+    {
+      const Eigen::Vector3d normal = normal_of(facet, surface.points);
+      for(const std::size_t v : facet)
+        m_normals[v] += normal;
+      m_triangles_in_sphere.push_back(triangle(facet, directions));
+      if(const Kernel::Triangle_3 t = triangle(facet, surface.points); !t.is_degenerate())
+      {
+        m_triangles.push_back(t);
+        m_facets.push_back(facet);
+      }
+    }
+    for(Eigen::Vector3d& normal : m_normals)
+      normal.normalize();
+    m_tree.rebuild(m_triangles.cbegin(), m_triangles.cend());
     m_tree.accelerate_distance_queries();
-    for(const auto& [a, b, c] : surface.facets)
-      for(const auto& [v, w] : { std::pair(a, b), { b, c }, { c, a } })
-        if(v < w)
-          m_edges.push_back({ directions[v], directions[w] });
+    m_tree_in_sphere.rebuild(m_triangles_in_sphere.cbegin(), m_triangles_in_sphere.cend());
   }
 
   Surface_on_sphere_3(const Surface_on_sphere_3&) = delete; // the trees refer to the triangles
   Surface_on_sphere_3& operator=(const Surface_on_sphere_3&) = delete;
 
-  const std::vector<Eigen::Vector3d>& directions() const { return m_directions; } // of the vertices
-
-  // Edges by the directions of their ends, each once.
-  const std::vector<std::array<Eigen::Vector3d, 2> >& edges() const { return m_edges; }
-
-  Eigen::Vector3d direction_of_nearest_point(const Eigen::Vector3d& p) const
+  Surface_place_3 nearest_place(const Eigen::Vector3d& p) const
   {
     const auto [nearest, primitive] = m_tree.closest_point_and_primitive(kernel_point(p));
-    const std::size_t facet = static_cast<std::size_t>(primitive - m_triangles.cbegin());
-    const auto [a, b, c] = corners(facet, m_surface.points);
-    const Eigen::Vector3d q(nearest.x(), nearest.y(), nearest.z()), normal = (b - a).cross(c - a);
-    return mean(facet, { (b - q).cross(c - q).dot(normal), (c - q).cross(a - q).dot(normal), (a - q).cross(b - q).dot(normal) },
-                m_directions).normalized();
+    const Facet& facet = m_facets[static_cast<std::size_t>(primitive - m_triangles.cbegin())];
+    const Eigen::Vector3d q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_surface.points);
+    return place(facet, m_surface.points, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+    { return (a - q).cross(b - q).dot(normal); });
   }
 
-  Eigen::Vector3d point_in_direction(const Eigen::Vector3d& d) const
+  // The predicates of the tree are exact, and a ray from inside the polyhedron meets it.
+  Surface_place_3 place_in_direction(const Eigen::Vector3d& d) const
   {
-    const std::size_t facet = facet_in_direction(d);
-    const auto [a, b, c] = corners(facet, m_directions);
-    return mean(facet, { d.dot(b.cross(c)), d.dot(c.cross(a)), d.dot(a.cross(b)) }, m_surface.points);
-  }
-
-  Eigen::Vector3d normal_in_direction(const Eigen::Vector3d& d) const
-  {
-    const auto [a, b, c] = corners(facet_in_direction(d), m_surface.points);
-    return (b - a).cross(c - a);
+    const auto primitive = m_tree_in_sphere.any_intersected_primitive(Kernel::Ray_3(kernel_point({ 0, 0, 0 }), kernel_point(d)));
+    const Facet& facet = m_surface.facets[static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin())];
+    return place(facet, m_directions, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).dot(d); });
   }
 
 private:
   using Kernel = AABB_trees_3::Kernel;
-  using Triangles = AABB_trees_3::Triangles;
+  using Facet = std::array<std::size_t, 3>;
 
   static Kernel::Point_3 kernel_point(const Eigen::Vector3d& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 
-  std::array<Eigen::Vector3d, 3> corners(const std::size_t facet, const std::vector<Eigen::Vector3d>& points) const
-  {
-    const auto& [a, b, c] = m_surface.facets[facet];
-    return { points[a], points[b], points[c] };
-  }
+  static Kernel::Triangle_3 triangle(const Facet& facet, const std::vector<Eigen::Vector3d>& points)
+  { return Kernel::Triangle_3(kernel_point(points[facet[0]]), kernel_point(points[facet[1]]), kernel_point(points[facet[2]])); }
 
-  Triangles triangles(const std::vector<Eigen::Vector3d>& points) const
+  // Returns the mean of the corners, each weighted by the area opposite to it. Rounding can make areas negative.
+  template <typename Area>
+  Surface_place_3 place(const Facet& facet, const std::vector<Eigen::Vector3d>& points, const Area& area) const
   {
-    Triangles result;
-    for(std::size_t f = 0; f < m_surface.facets.size(); ++f)
-    {
-      const auto [a, b, c] = corners(f, points);
-      result.emplace_back(kernel_point(a), kernel_point(b), kernel_point(c));
-    }
-    return result;
-  }
-
-  // The predicates of the tree are exact, and a ray from inside the polyhedron meets it.
-  std::size_t facet_in_direction(const Eigen::Vector3d& d) const
-  {
-    const auto primitive = m_tree_in_sphere.any_intersected_primitive(Kernel::Ray_3(Kernel::Point_3(0, 0, 0), kernel_point(d)));
-    return static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin());
-  }
-
-  // Returns the mean of the corners of a facet. Rounding can make weights negative.
-  Eigen::Vector3d mean(const std::size_t facet, const std::array<double, 3>& weights,
-                       const std::vector<Eigen::Vector3d>& points) const
-  {
-    const std::array<Eigen::Vector3d, 3> corner = corners(facet, points);
-    double sum = 0;
-    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    Eigen::Vector3d weights;
     for(int i = 0; i < 3; ++i)
-    {
-      sum += (std::max)(weights[i], 0.);
-      result += (std::max)(weights[i], 0.) * corner[i];
-    }
-    return sum > 0 ? Eigen::Vector3d(result / sum) : corner[0];
+      weights[i] = (std::max)(area(points[facet[(i + 1) % 3]], points[facet[(i + 2) % 3]]), 0.);
+    weights = weights.sum() > 0 ? Eigen::Vector3d(weights / weights.sum()) : Eigen::Vector3d(1, 0, 0);
+    const auto mean = [&](const std::vector<Eigen::Vector3d>& values)
+    { return Eigen::Vector3d(weights[0] * values[facet[0]] + weights[1] * values[facet[1]] + weights[2] * values[facet[2]]); };
+    return { mean(m_surface.points), mean(m_directions).normalized(), mean(m_normals).normalized() };
   }
 
   const Numbered_surface_3& m_surface;
   const std::vector<Eigen::Vector3d>& m_directions;
-  std::vector<std::array<Eigen::Vector3d, 2> > m_edges;
-  Triangles m_triangles, m_triangles_in_sphere;
+  std::vector<Eigen::Vector3d> m_normals;
+  std::vector<Facet> m_facets; // with an area
+  AABB_trees_3::Triangles m_triangles, m_triangles_in_sphere;
   AABB_trees_3::Of_triangles m_tree, m_tree_in_sphere;
 };
 

@@ -1,0 +1,174 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_SURFACE_RELAXATION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_SURFACE_RELAXATION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_on_sphere_3.h>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Map of a triangulated sphere onto another one. Vertices move on the target to lower the distortion of their triangles. In the
+// sphere that both surfaces are mapped to, triangles remain positive.
+//
+// The distortion of a triangle is Q (1 + 1 / X^2), with its Dirichlet energy Q. X is the ratio of the areas, made positive as for
+// untangling, X = (D + sqrt(D^2 + e^2)) / 2. D is negative where the image is turned over.
+class Surface_relaxation_3
+{
+public:
+  Surface_relaxation_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
+                       const std::vector<Eigen::Vector3d>& directions)
+    : m_points(&points), m_rings(&rings), m_target(&target)
+  {
+    for(const Eigen::Vector3d& d : directions)
+      m_places.push_back(target.place_in_direction(d));
+  }
+
+  // Moves all vertices in each sweep, or those at triangles that are turned over and their neighbors.
+  void relax(const int number_of_sweeps, const bool are_all, const Budget& budget)
+  {
+    const double epsilon = are_all ? smooth : sharp;
+    for(int i = 0; i < number_of_sweeps && budget.may_begin_round(Phase::BOUNDARY, "relaxation on a surface"); ++i)
+    {
+      const std::vector<bool> is_moved = are_all ? std::vector<bool>(m_places.size(), true) : vertices_near_turned_triangles();
+      if(std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end())
+        return;
+      for(int v = 0; v < m_rings->number_of_vertices(); ++v)
+        if(is_moved[v])
+          relax(v, epsilon);
+    }
+  }
+
+  double distortion() const
+  {
+    double result = 0;
+    for(int v = 0; v < m_rings->number_of_vertices(); ++v)
+      result += distortion(v, m_places[v], smooth);
+    return result;
+  }
+
+  bool has_turned_triangle() const
+  {
+    const std::vector<bool> is_near = vertices_near_turned_triangles();
+    return std::find(is_near.begin(), is_near.end(), true) != is_near.end();
+  }
+
+  std::vector<Eigen::Vector3d> images() const
+  {
+    std::vector<Eigen::Vector3d> result;
+    for(const Surface_place_3& place : m_places)
+      result.push_back(place.point);
+    return result;
+  }
+
+private:
+  static constexpr double smooth = 0.3, sharp = 0.02; // guesses for e
+
+  template <typename Function>
+  void for_each_triangle(const int v, const Function& function) const
+  {
+    const std::vector<int>& ring = (*m_rings)[v];
+    for(std::size_t i = 0; i < ring.size(); ++i)
+      function(ring[i], ring[(i + 1) % ring.size()]);
+  }
+
+  // Returns twice the area of an image, negative if it is turned over against the normals at its vertices.
+  static double double_area(const Surface_place_3& a, const Surface_place_3& b, const Surface_place_3& c)
+  { return (a.normal + b.normal + c.normal).normalized().dot((b.point - a.point).cross(c.point - a.point)); }
+
+  std::vector<bool> vertices_near_turned_triangles() const
+  {
+    std::vector<bool> result(m_places.size(), false);
+    for(int v = 0; v < m_rings->number_of_vertices(); ++v)
+      for_each_triangle(v, [&](const int b, const int c)
+      {
+        if(!(double_area(m_places[v], m_places[b], m_places[c]) > 0))
+          for(const int w : (*m_rings)[v])
+            result[w] = true;
+      });
+    return result;
+  }
+
+  bool is_admissible(const int v, const Eigen::Vector3d& direction) const
+  {
+    bool result = true;
+    for_each_triangle(v, [&](const int b, const int c)
+    {
+      result = result && radial_orientation(direction, m_places[b].direction, m_places[c].direction) == POSITIVE;
+    });
+    return result;
+  }
+
+  void relax(const int v, const double epsilon)
+  {
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    const double before = distortion(v, m_places[v], epsilon, &gradient, &hessian);
+    Eigen::Matrix<double, 3, 2> tangents;
+    tangents.col(0) = m_places[v].normal.unitOrthogonal();
+    tangents.col(1) = m_places[v].normal.cross(Eigen::Vector3d(tangents.col(0)));
+    const Eigen::Matrix2d in_plane = tangents.transpose() * hessian * tangents;
+    const Eigen::Vector3d step = -tangents * (in_plane.inverse() * (tangents.transpose() * gradient));
+    if(!step.allFinite())
+      return;
+    constexpr double smallest = 0.01; // a guess
+    for(double length = 1; length > smallest; length /= 3)
+    {
+      const Surface_place_3 candidate = m_target->nearest_place(m_places[v].point + length * step);
+      if(distortion(v, candidate, epsilon) < before && is_admissible(v, candidate.direction))
+      {
+        m_places[v] = candidate;
+        return;
+      }
+    }
+  }
+
+  // Returns the distortion around v with a place of v. Adds the gradient and a positive approximation of the Hessian.
+  double distortion(const int v, const Surface_place_3& place, const double epsilon, Eigen::Vector3d* gradient = nullptr,
+                    Eigen::Matrix3d* hessian = nullptr) const
+  {
+    double result = 0;
+    for_each_triangle(v, [&](const int j, const int k)
+    {
+      const Eigen::Vector3d &p = (*m_points)[v], &q = (*m_points)[j], &r = (*m_points)[k];
+      double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm(), rp = (p - r).squaredNorm();
+      const double regular = 1e-6 * (pq + qr + rp); // gives a flat triangle a positive area; the size is a guess
+      pq += regular;
+      qr += regular;
+      rp += regular;
+      const double area = std::sqrt(2 * (pq * qr + qr * rp + rp * pq) - (pq * pq + qr * qr + rp * rp)) / 4;
+      const double at_a = (pq + rp - qr) / (4 * area), at_b = (pq + qr - rp) / (4 * area), at_c = (qr + rp - pq) / (4 * area);
+      const Eigen::Vector3d &a = place.point, &b = m_places[j].point, &c = m_places[k].point;
+      const double dirichlet = (at_a * (b - c).squaredNorm() + at_b * (a - c).squaredNorm() + at_c * (a - b).squaredNorm()) / 2;
+      const double d = double_area(place, m_places[j], m_places[k]) / (2 * area), root = std::sqrt(d * d + epsilon * epsilon);
+      const double x = (d + root) / 2, slope = x / root;
+      result += dirichlet * (1 + 1 / (x * x));
+      if(gradient == nullptr)
+        return;
+      const Eigen::Vector3d normal = (place.normal + m_places[j].normal + m_places[k].normal).normalized();
+      const Eigen::Vector3d x_gradient = slope * normal.cross(c - b) / (2 * area);
+      *gradient += (1 + 1 / (x * x)) * (at_b * (a - c) + at_c * (a - b)) - 2 * dirichlet / (x * x * x) * x_gradient;
+      *hessian += (1 + 1 / (x * x)) * (at_b + at_c) * Eigen::Matrix3d::Identity()
+                + 6 * dirichlet / (x * x * x * x) * x_gradient * x_gradient.transpose();
+    });
+    return result;
+  }
+
+  const std::vector<Eigen::Vector3d>* m_points;
+  const Vertex_rings_3* m_rings;
+  const Surface_on_sphere_3* m_target;
+  std::vector<Surface_place_3> m_places;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_SURFACE_RELAXATION_3_H
