@@ -1419,7 +1419,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(alternatives("target.txt --solver none").find("cg") == 0);
   CHECK(alternatives("target.txt --boundary none") == "auto, fixed, soft\n");
   CHECK(alternatives("--to polycube --polycube-axes none") == "found, given\n");
-  CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube\n");
+  CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube, a surface *.off, *.stl, *.obj or *.ply\n");
   // each of them can be chosen; domains are in a test of their own
   for(const std::string option : {"--energy", "--solver", "--boundary", "--refine", "--others"})
   {

@@ -11,6 +11,7 @@
 #include <CGAL/exceptions.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -143,7 +144,7 @@ TEST_CASE("Principal axes, or landmarks instead, turn a body onto its target")
   CHECK(std::abs(end[0]) > 2.7);
 
   const Fit turned(target.points, target.triangles, { { { 0, 0, 3 }, { 0, 0, 9 } }, { { 0, 2, 0 }, { 9, 0, 0 } },
-                                                      { { 1, 0, 0 }, { 0, 9, 0 } } });
+                                                      { { 1, 0, 0 }, { 0, -9, 0 } } });
   CHECK(distance(image_of(turned, { 0, 0, 3 }), { 0, 0, 1 }) < 0.5);
   CHECK(distance(image_of(turned, { 0, 2, 0 }), { 3, 0, 0 }) < 0.5);
 }
@@ -164,6 +165,41 @@ TEST_CASE("A fit needs two spheres and finite landmarks")
   CHECK(parameterize(Fit(sphere.points, sphere.triangles, { { { 0, 0, 1 }, { 0, nan, 1 } } })) == VMP::ERROR_INVALID_LANDMARK);
   CHECK(targets.empty());
   CHECK_THROWS_AS(Fit({}, { { 0, 1, 2 } }), CGAL::Precondition_exception);
+}
+
+TEST_CASE("A fit keeps its digits at any size, and ends where it is interrupted")
+{
+  const Surface target = ellipsoid(8, 11);
+  const VMP::Tetrahedron_soup_3 mesh = cube(3);
+  Points targets, of_scaled;
+  REQUIRE(Fit(target.points, target.triangles).parameterize(mesh.points, mesh.cells, targets) == VMP::OK);
+  const double factor = std::exp2(-600.);
+  Points scaled = target.points;
+  for(Point& p : scaled)
+    for(double& x : p)
+      x *= factor;
+  REQUIRE(Fit(scaled, target.triangles).parameterize(mesh.points, mesh.cells, of_scaled) == VMP::OK);
+  for(std::size_t v = 0; v < targets.size(); ++v)
+    if(!std::isnan(targets[v][0]))
+      CHECK(of_scaled[v][0] == factor * targets[v][0]);
+  CHECK(Fit(target.points, target.triangles).parameterize(mesh.points, mesh.cells, targets, params::maximum_running_time(0.))
+        == VMP::ERROR_INTERRUPTED);
+}
+
+TEST_CASE("A boundary without enough vertices for the limbs of a surface is refused")
+{
+  Surface star = ellipsoid(40, 60); // with six arms that are thin and bent
+  for(Point& p : star.points)
+  {
+    const double x = p[0] / 3, y = p[1] / 2, z = p[2], arm = std::pow((std::max)({ std::abs(x), std::abs(y), std::abs(z) }), 30);
+    const double radius = 0.02 + arm, c = radius * std::cos(2 * arm), s = radius * std::sin(2 * arm);
+    p = { c * x - s * y, s * x + c * y, radius * z };
+  }
+  const VMP::Tetrahedron_soup_3 mesh = cube(2);
+  Points targets;
+  const VMP::Error_code status = Fit(star.points, star.triangles).parameterize(mesh.points, mesh.cells, targets);
+  CHECK(status == VMP::ERROR_BOUNDARY_NOT_FITTED);
+  CHECK(targets.empty());
 }
 
 TEST_CASE("A fit is measured in both directions")
