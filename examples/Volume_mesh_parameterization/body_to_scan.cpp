@@ -52,7 +52,8 @@ int main()
   VMP::Tetrahedron_soup_3 cube; // [-1, 1]^3
   VMP::IO::read_MEDIT("data/cube.mesh", cube);
   const Limbs limbs = { { { 0, 0, 1 }, { 0.9, 0, 1.2 } }, { { 1, 1, -1 }, { 0.9, 0.72, -0.96 } },
-    { { 1, -1, -1 }, { 0.9, -0.72, -0.96 } }, { { -1, 1, -1 }, { -0.9, 0.72, -0.96 } }, { { -1, -1, -1 }, { -0.9, -0.72, -0.96 } } };
+    { { 1, -1, -1 }, { 0.9, -0.72, -0.96 } }, { { -1, 1, -1 }, { -0.9, 0.72, -0.96 } },
+    { { -1, -1, -1 }, { -0.9, -0.72, -0.96 } } };
   std::vector<Point> points, fitted, slid;
   std::vector<std::array<std::size_t, 3> > triangles;
   make_scan(limbs, points, triangles);

@@ -545,6 +545,29 @@ TEST_CASE("A ball is turned to landmarks, and a box has eight of them as corners
   CHECK(folder.soup("map.mesh").points[vertex({0, 2, 0})] == Point{0.5, -1, -1.5});
 }
 
+TEST_CASE("A body is fitted to a closed surface with other triangles, and slides on it")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(2));
+  folder.write("octahedron.off", "OFF\n6 8 0\n3 0 0\n-3 0 0\n0 2 0\n0 -2 0\n0 0 2\n0 0 -2\n3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n"
+                                 "3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  const std::string command = "source.mesh -o map.mesh --report report.json --to octahedron.off";
+  REQUIRE(folder.run(command) == 0);
+  const std::string fixed = folder.text("report.json");
+  CHECK(fixed.find("\"turned_facets\": 0") != std::string::npos);
+  REQUIRE(folder.run(command + " --slide") == 0);
+  const Soup map = folder.soup("map.mesh");
+  std::size_t number_on_surface = 0; // the faces |x| / 3 + |y| / 2 + |z| / 2 = 1
+  for(const auto& [x, y, z] : map.points)
+    number_on_surface += std::abs(std::abs(x) / 3 + std::abs(y) / 2 + std::abs(z) / 2 - 1) < 1e-14;
+  CHECK(number_on_surface >= 26);
+  CHECK(number(folder.text("report.json"), "energy_value") < number(fixed, "energy_value"));
+
+  folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  CHECK(folder.run("source.mesh --report report.json --to open.off") == 2);
+  CHECK(folder.text("report.json").find("ERROR_TARGET_NOT_A_SPHERE") != std::string::npos);
+}
+
 TEST_CASE("At the time limit, or interrupted, the valid map reached so far is written")
 {
   const Folder folder;

@@ -28,8 +28,8 @@ With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_
 is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
 `Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
 `ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_BOUNDARY_NOT_FITTED` come from models of `BoundaryParameterizer_3`. The last six are
-codes of the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns the
-status of its boundary parameterizer. Hexahedra also share the codes for bad input.
+codes of the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns
+the status of its boundary parameterizer. Hexahedra also share the codes for bad input.
 */
 enum Error_code
 {
@@ -124,8 +124,8 @@ inline const char* get_error_message(const Error_code code)
       return "The target surface must be a topological sphere: closed, connected, and without handles. Repair it, or choose "
              "another target.";
     case ERROR_BOUNDARY_NOT_FITTED:
-      return "On the target surface, facets of the boundary would be turned over or intersect each other. Give landmarks at limbs, "
-             "or make the boundary finer where the surface is thin.";
+      return "On the target surface, facets of the boundary would be turned over or intersect each other. Give landmarks at "
+             "limbs, or make the boundary finer where the surface is thin.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:

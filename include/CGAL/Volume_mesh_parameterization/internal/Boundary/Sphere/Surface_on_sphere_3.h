@@ -21,7 +21,7 @@ inline Eigen::Vector3d normal_of(const std::array<std::size_t, 3>& facet, const 
 { return (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]); }
 
 // Point of a surface, with its direction in the sphere and a normal. Normals are continuous over the surface.
-struct Surface_place_3
+struct Surface_position_3
 {
   Eigen::Vector3d point, direction, normal;
 };
@@ -55,21 +55,21 @@ public:
   Surface_on_sphere_3(const Surface_on_sphere_3&) = delete; // the trees refer to the triangles
   Surface_on_sphere_3& operator=(const Surface_on_sphere_3&) = delete;
 
-  Surface_place_3 nearest_place(const Eigen::Vector3d& p) const
+  Surface_position_3 nearest_position(const Eigen::Vector3d& p) const
   {
     const auto [nearest, primitive] = m_tree.closest_point_and_primitive(kernel_point(p));
     const Facet& facet = m_facets[static_cast<std::size_t>(primitive - m_triangles.cbegin())];
     const Eigen::Vector3d q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_surface.points);
-    return place(facet, m_surface.points, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+    return position(facet, m_surface.points, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
     { return (a - q).cross(b - q).dot(normal); });
   }
 
   // The predicates of the tree are exact, and a ray from inside the polyhedron meets it.
-  Surface_place_3 place_in_direction(const Eigen::Vector3d& d) const
+  Surface_position_3 position_in_direction(const Eigen::Vector3d& d) const
   {
     const auto primitive = m_tree_in_sphere.any_intersected_primitive(Kernel::Ray_3(kernel_point({ 0, 0, 0 }), kernel_point(d)));
     const Facet& facet = m_surface.facets[static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin())];
-    return place(facet, m_directions, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).dot(d); });
+    return position(facet, m_directions, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).dot(d); });
   }
 
 private:
@@ -83,7 +83,7 @@ private:
 
   // Returns the mean of the corners, each weighted by the area opposite to it. Rounding can make areas negative.
   template <typename Area>
-  Surface_place_3 place(const Facet& facet, const std::vector<Eigen::Vector3d>& points, const Area& area) const
+  Surface_position_3 position(const Facet& facet, const std::vector<Eigen::Vector3d>& points, const Area& area) const
   {
     Eigen::Vector3d weights;
     for(int i = 0; i < 3; ++i)

@@ -30,7 +30,7 @@ public:
     : m_points(&points), m_rings(&rings), m_target(&target)
   {
     for(const Eigen::Vector3d& d : directions)
-      m_places.push_back(target.place_in_direction(d));
+      m_positions.push_back(target.position_in_direction(d));
   }
 
   // Moves all vertices in each sweep, or those at triangles that are turned over and their neighbors.
@@ -39,7 +39,7 @@ public:
     const double epsilon = are_all ? smooth : sharp;
     for(int i = 0; i < number_of_sweeps && budget.may_begin_round(Phase::BOUNDARY, "relaxation on a surface"); ++i)
     {
-      const std::vector<bool> is_moved = are_all ? std::vector<bool>(m_places.size(), true) : vertices_near_turned_triangles();
+      const std::vector<bool> is_moved = are_all ? std::vector<bool>(m_positions.size(), true) : vertices_near_turned_triangles();
       if(std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end())
         return;
       for(int v = 0; v < m_rings->number_of_vertices(); ++v)
@@ -52,7 +52,7 @@ public:
   {
     double result = 0;
     for(int v = 0; v < m_rings->number_of_vertices(); ++v)
-      result += distortion(v, m_places[v], smooth);
+      result += distortion(v, m_positions[v], smooth);
     return result;
   }
 
@@ -65,8 +65,8 @@ public:
   std::vector<Eigen::Vector3d> images() const
   {
     std::vector<Eigen::Vector3d> result;
-    for(const Surface_place_3& place : m_places)
-      result.push_back(place.point);
+    for(const Surface_position_3& position : m_positions)
+      result.push_back(position.point);
     return result;
   }
 
@@ -82,16 +82,16 @@ private:
   }
 
   // Returns twice the area of an image, negative if it is turned over against the normals at its vertices.
-  static double double_area(const Surface_place_3& a, const Surface_place_3& b, const Surface_place_3& c)
+  static double double_area(const Surface_position_3& a, const Surface_position_3& b, const Surface_position_3& c)
   { return (a.normal + b.normal + c.normal).normalized().dot((b.point - a.point).cross(c.point - a.point)); }
 
   std::vector<bool> vertices_near_turned_triangles() const
   {
-    std::vector<bool> result(m_places.size(), false);
+    std::vector<bool> result(m_positions.size(), false);
     for(int v = 0; v < m_rings->number_of_vertices(); ++v)
       for_each_triangle(v, [&](const int b, const int c)
       {
-        if(!(double_area(m_places[v], m_places[b], m_places[c]) > 0))
+        if(!(double_area(m_positions[v], m_positions[b], m_positions[c]) > 0))
           for(const int w : (*m_rings)[v])
             result[w] = true;
       });
@@ -103,7 +103,7 @@ private:
     bool result = true;
     for_each_triangle(v, [&](const int b, const int c)
     {
-      result = result && radial_orientation(direction, m_places[b].direction, m_places[c].direction) == POSITIVE;
+      result = result && radial_orientation(direction, m_positions[b].direction, m_positions[c].direction) == POSITIVE;
     });
     return result;
   }
@@ -112,28 +112,28 @@ private:
   {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-    const double before = distortion(v, m_places[v], epsilon, &gradient, &hessian);
-    Eigen::Matrix<double, 3, 2> tangents;
-    tangents.col(0) = m_places[v].normal.unitOrthogonal();
-    tangents.col(1) = m_places[v].normal.cross(Eigen::Vector3d(tangents.col(0)));
-    const Eigen::Matrix2d in_plane = tangents.transpose() * hessian * tangents;
+    const double before = distortion(v, m_positions[v], epsilon, &gradient, &hessian);
+    Small_matrix<3, 2> tangents;
+    tangents.col(0) = m_positions[v].normal.unitOrthogonal();
+    tangents.col(1) = m_positions[v].normal.cross(Eigen::Vector3d(tangents.col(0)));
+    const Small_matrix<2, 2> in_plane = tangents.transpose() * hessian * tangents;
     const Eigen::Vector3d step = -tangents * (in_plane.inverse() * (tangents.transpose() * gradient));
     if(!step.allFinite())
       return;
     constexpr double smallest = 0.01; // a guess
     for(double length = 1; length > smallest; length /= 3)
     {
-      const Surface_place_3 candidate = m_target->nearest_place(m_places[v].point + length * step);
+      const Surface_position_3 candidate = m_target->nearest_position(m_positions[v].point + length * step);
       if(distortion(v, candidate, epsilon) < before && is_admissible(v, candidate.direction))
       {
-        m_places[v] = candidate;
+        m_positions[v] = candidate;
         return;
       }
     }
   }
 
-  // Returns the distortion around v with a place of v. Adds the gradient and a positive approximation of the Hessian.
-  double distortion(const int v, const Surface_place_3& place, const double epsilon, Eigen::Vector3d* gradient = nullptr,
+  // Returns the distortion around v with a position of v. Adds the gradient and a positive approximation of the Hessian.
+  double distortion(const int v, const Surface_position_3& position, const double epsilon, Eigen::Vector3d* gradient = nullptr,
                     Eigen::Matrix3d* hessian = nullptr) const
   {
     double result = 0;
@@ -147,14 +147,14 @@ private:
       rp += regular;
       const double area = std::sqrt(2 * (pq * qr + qr * rp + rp * pq) - (pq * pq + qr * qr + rp * rp)) / 4;
       const double at_a = (pq + rp - qr) / (4 * area), at_b = (pq + qr - rp) / (4 * area), at_c = (qr + rp - pq) / (4 * area);
-      const Eigen::Vector3d &a = place.point, &b = m_places[j].point, &c = m_places[k].point;
+      const Eigen::Vector3d &a = position.point, &b = m_positions[j].point, &c = m_positions[k].point;
       const double dirichlet = (at_a * (b - c).squaredNorm() + at_b * (a - c).squaredNorm() + at_c * (a - b).squaredNorm()) / 2;
-      const double d = double_area(place, m_places[j], m_places[k]) / (2 * area), root = std::sqrt(d * d + epsilon * epsilon);
-      const double x = (d + root) / 2, slope = x / root;
+      const double d = double_area(position, m_positions[j], m_positions[k]) / (2 * area);
+      const double root = std::sqrt(d * d + epsilon * epsilon), x = (d + root) / 2, slope = x / root;
       result += dirichlet * (1 + 1 / (x * x));
       if(gradient == nullptr)
         return;
-      const Eigen::Vector3d normal = (place.normal + m_places[j].normal + m_places[k].normal).normalized();
+      const Eigen::Vector3d normal = (position.normal + m_positions[j].normal + m_positions[k].normal).normalized();
       const Eigen::Vector3d x_gradient = slope * normal.cross(c - b) / (2 * area);
       *gradient += (1 + 1 / (x * x)) * (at_b * (a - c) + at_c * (a - b)) - 2 * dirichlet / (x * x * x) * x_gradient;
       *hessian += (1 + 1 / (x * x)) * (at_b + at_c) * Eigen::Matrix3d::Identity()
@@ -166,7 +166,7 @@ private:
   const std::vector<Eigen::Vector3d>* m_points;
   const Vertex_rings_3* m_rings;
   const Surface_on_sphere_3* m_target;
-  std::vector<Surface_place_3> m_places;
+  std::vector<Surface_position_3> m_positions;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

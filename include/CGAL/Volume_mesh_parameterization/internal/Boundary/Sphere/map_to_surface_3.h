@@ -66,15 +66,15 @@ inline int nearest_vertex(const Numbered_surface_3& surface, const Eigen::Vector
 // Returns vertices of a body with the directions that they should have, in one or several ways. Without landmarks, principal axes
 // are put on principal axes, whose signs are open, and each vertex should have the direction of the nearest point of the target.
 inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_directions_3(
-  const Numbered_surface_3& surface, const Moments_3& of_surface, const Moments_3& of_target, const Surface_on_sphere_3& on_sphere,
-  const Point_pairs_3& landmarks)
+  const Numbered_surface_3& surface, const Moments_3& of_surface, const Moments_3& of_target,
+  const Surface_on_sphere_3& on_sphere, const Point_pairs_3& landmarks)
 {
   std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > result;
   if(!landmarks.empty())
   {
     result.resize(1);
     for(const auto& [p, q] : landmarks)
-      result[0].emplace_back(nearest_vertex(surface, p), on_sphere.nearest_place(q).direction);
+      result[0].emplace_back(nearest_vertex(surface, p), on_sphere.nearest_position(q).direction);
     return result;
   }
   for(const auto& [x, y] : { std::pair(1, 1), { 1, -1 }, { -1, 1 }, { -1, -1 } })
@@ -83,7 +83,7 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
                                * std::sqrt(of_target.area / of_surface.area);
     result.emplace_back();
     for(std::size_t v = 0; v < surface.points.size(); ++v)
-      result.back().emplace_back(static_cast<int>(v), on_sphere.nearest_place(
+      result.back().emplace_back(static_cast<int>(v), on_sphere.nearest_position(
         of_target.center + turn * (surface.points[v] - of_surface.center)).direction);
   }
   return result;
