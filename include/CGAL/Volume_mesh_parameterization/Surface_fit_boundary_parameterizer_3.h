@@ -31,7 +31,8 @@ All vertices are on the target. Edges of the image are chords, and leave the tar
 measures both distances.
 
 The images of the boundary are starting points: vertices slide on the target if the call for a map is repeated with
-`Vertex_condition_3::on_surface()` for the boundary.
+`Vertex_condition_3::on_surface()` for the boundary. This lowers the energy, but facets may be turned over or intersect each other
+then. Call `measure_surface_fit()`, and keep the first map if they are.
 
 `parameterize()` returns `OK` if no facet is turned over and none intersects another one. Otherwise, it writes nothing and returns
 `ERROR_BOUNDARY_NOT_FITTED`, `ERROR_INVALID_LANDMARK` if a landmark is not finite, `ERROR_TARGET_NOT_A_SPHERE`, or one of the codes
