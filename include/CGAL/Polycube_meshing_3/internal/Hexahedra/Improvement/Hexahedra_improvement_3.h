@@ -96,9 +96,10 @@ private:
     }
   }
 
-  // Improves the worst corners and hexahedra that are inverted inside as long as they gain, one vertex after the other and all at
-  // once in turn. While corners are inverted, only fewer of them, or of such hexahedra, than ever before are a gain. While corners
-  // are poor but positive and gain nothing, far points count less, and the vertices of flat ones leave the lines.
+  // Improves the worst corners and the hexahedra that are inverted inside, one vertex after the other and all at once in turn,
+  // until a few rounds gain nothing. While corners are inverted, a gain is a smaller number of inverted corners or hexahedra than
+  // ever before. If a round gains nothing and corners are positive but poor, points that the boundary does not cover count less,
+  // and the vertices of flat corners leave their lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round

@@ -168,8 +168,8 @@ private:
                        [&](const std::array<std::size_t, 4>& corner) { return is_positive_corner(points, corner); });
   }
 
-  // Pulls sliding vertices to positions: those on lines to the first ones, by a factor more, which keeps curved lines evenly
-  // divided, and the others to those given.
+  // Pulls sliding vertices to the given points. Vertices on lines are pulled to where they were at first, and by the given factor
+  // more: that keeps curved lines evenly divided.
   void hold_boundary(const std::vector<Vector_3>& points, const double factor_of_lines, Corner_goals_3& goals) const
   {
     for(const std::size_t v : m_corners.order())

@@ -173,9 +173,9 @@ inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std:
   return result;
 }
 
-// Moves to each marked corner of the boundary the vertex with the nearest image: along its line to a corner on a line, else on the
-// surface. A corner without one up to the spacing, as where corners are closer to each other, is given up. Vertices on
-// interfaces have positions of their own.
+// Moves a vertex of the boundary to each marked corner: the one with the nearest image, of those on lines if the corner is on a
+// line. Where no such image is within the spacing, as where corners are closer to each other, the corner is given up. Vertices
+// on interfaces stay.
 inline void move_to_corners_3(const Body_with_domain_3& body, const double spacing, Placed_hexahedra_3& hexahedra)
 {
   const Hexahedra_3& mesh = hexahedra.mesh;
