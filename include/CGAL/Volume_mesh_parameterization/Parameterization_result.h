@@ -124,8 +124,8 @@ inline const char* get_error_message(const Error_code code)
       return "The target surface must be a topological sphere: closed, connected, and without handles. Repair it, or choose "
              "another target.";
     case ERROR_BOUNDARY_NOT_FITTED:
-      return "On the target surface, facets of the boundary would be turned over or intersect each other. Give landmarks at "
-             "limbs, or make the boundary finer where the surface is thin.";
+      return "On the target surface, facets of the boundary would be turned over or intersect each other. Thin limbs are "
+             "the usual cause: compose maps of both bodies to a ball instead, as the example body_to_body.cpp does.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:
