@@ -36,7 +36,7 @@ then. Call `measure_surface_fit()`, and keep the first map if they are.
 
 `parameterize()` returns `OK` if no facet is turned over and none intersects another one. Otherwise, it writes nothing and returns
 `ERROR_BOUNDARY_NOT_FITTED`, `ERROR_INVALID_LANDMARK` if a landmark is not finite, `ERROR_TARGET_NOT_A_SPHERE`, or one of the codes
-of `Ball_boundary_parameterizer_3`. Fits fail where the target has limbs that are thin or far from those of the body; landmarks may
+of `Ball_boundary_parameterizer_3`. Fits fail where limbs are thin, or far from those of the body. In the latter case, landmarks
 help. Bodies with handles are mapped by `Surface_boundary_parameterizer_3` or `Polycube_boundary_parameterizer_3`.
 
 The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of both surfaces.
