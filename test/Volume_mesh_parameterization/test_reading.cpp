@@ -313,6 +313,7 @@ TEST_CASE("A surface whose counts are too large for its file is refused")
     return VMP::internal::read_surface(name, VMP::internal::Budget());
   };
   CHECK(read("3 1 0\n", "3 0 1 2\n").facets == std::vector<std::array<std::size_t, 3> >{ { 0, 1, 2 } });
+  CHECK_THROWS_WITH(VMP::internal::read_surface("missing.off", VMP::internal::Budget()), "the file cannot be opened");
   const std::string message = "the surface cannot be read: a number of points, of faces or of their vertices is too large";
   CHECK_THROWS_WITH(read("900000000 1 0\n", "3 0 1 2\n"), message);
   CHECK_THROWS_WITH(read("3 900000000 0\n", "3 0 1 2\n"), message);

@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 
-#include <fstream>
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization {
@@ -33,8 +32,6 @@ public:
       return found->second;
     try
     {
-      if(!std::ifstream(filename)) // the reader would print that
-        throw Input_error("the file cannot be opened");
       const Tetrahedron_soup_3 soup = read_surface(filename, budget);
       return m_surfaces.emplace(filename, Triangulated_surface_3(soup.points, soup.facets)).first->second;
     }

@@ -22,6 +22,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <filesystem>
+#include <fstream>
 #include <memory_resource>
 #include <new>
 #include <stdexcept>
@@ -108,6 +109,8 @@ inline Tetrahedron_soup_3 read_surface(const std::string& filename, const Budget
 {
   if(has_extension(filename, { ".vtp" }))
     return read_VTP(read_file(filename, budget), budget);
+  if(!std::ifstream(filename)) // CGAL would print that
+    throw Input_error("the file cannot be opened");
   Memory_for_file memory(filename);
   std::pmr::vector<Simple_cartesian<double>::Point_3> points_of_file(&memory);
   std::pmr::vector<std::pmr::vector<std::size_t> > polygons(&memory);
