@@ -565,6 +565,8 @@ TEST_CASE("A body is fitted to a closed surface with other triangles, and slides
 
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   CHECK(folder.run("source.mesh --report report.json --to open.off") == 2);
+  CHECK(folder.run("source.mesh --to missing.off --quiet") == 2);
+  CHECK(folder.text("stderr") == "missing.off: the file cannot be opened\n");
   CHECK(folder.text("report.json").find("ERROR_TARGET_NOT_A_SPHERE") != std::string::npos);
 }
 

@@ -15,9 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/repair_tetrahedron_soup.h>
 
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,42 +72,20 @@ using Polycube = CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3;
 using Surface_fit = CGAL::Volume_mesh_parameterization::Surface_fit_boundary_parameterizer_3;
 using Boundary_parameterizer = std::variant<Ball_or_box, Polycube, Surface_fit>;
 
-// Surface that a mesh is fitted to.
-struct Target_surface
-{
-  Points points;
-  std::vector<std::array<std::size_t, 3> > triangles;
-};
-
 inline bool is_surface_domain(const std::string& domain)
 {
   const std::string extension = extension_of(domain);
   return extension == ".off" || extension == ".stl" || extension == ".obj" || extension == ".ply";
 }
 
-// Faces with more vertices are split into triangles at their first vertex.
-inline Target_surface read_target_surface(const std::string& filename)
-{
-  Target_surface result;
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
-  if(!CGAL::IO::read_polygon_soup(filename, points, polygons))
-    throw std::runtime_error(filename + ": the surface cannot be read");
-  for(const auto& p : points)
-    result.points.push_back({ p.x(), p.y(), p.z() });
-  for(const std::vector<std::size_t>& polygon : polygons)
-    for(std::size_t i = 2; i < polygon.size(); ++i)
-      result.triangles.push_back({ polygon[0], polygon[i - 1], polygon[i] });
-  return result;
-}
-
 // `points` are those of the mesh, whose vertices are landmarks.
-inline Surface_fit surface_fit(const Target_surface& surface, const Landmarks& landmarks, const Points& points)
+inline Surface_fit surface_fit(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& surface, const Landmarks& landmarks,
+                               const Points& points)
 {
   std::vector<std::pair<std::array<double, 3>, std::array<double, 3> > > pairs;
   for(const auto& [v, p] : landmarks)
     pairs.emplace_back(points[v], p);
-  return Surface_fit(surface.points, surface.triangles, pairs);
+  return Surface_fit(surface.points, surface.facets, pairs);
 }
 
 // The lengths of the sides of a box from text such as 1,2,0.5

@@ -13,6 +13,7 @@
 #include "read_source.h"
 
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 #include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
@@ -42,7 +43,7 @@ struct Mapped_mesh
   Target_points target; // none on a domain
   Points initial;       // images to start from, or none
   PM::Polycube_result polycube = {};
-  Target_surface surface = {}; // has no triangles for other targets
+  VMP::Tetrahedron_soup_3 surface = {}; // that the mesh is fitted to; has no facets for other targets
   Points uvw = {};
   Result result = {};
 };
@@ -72,7 +73,7 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
 template <typename NamedParameters>
 Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
 {
-  const VMP::Triangulated_surface_3 surface(mapped.surface.points, mapped.surface.triangles);
+  const VMP::Triangulated_surface_3 surface(mapped.surface.points, mapped.surface.facets);
   std::vector<VMP::Vertex_condition_3> conditions(mapped.mesh.points.size());
   for(const std::size_t v : VMP::boundary_vertices(mapped.mesh.points, mapped.mesh.cells))
     conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
@@ -82,7 +83,7 @@ Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedPar
       .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(mapped.uvw)));
   if(!result.has_valid_map || result.boundary_residual > 0)
     return fitted;
-  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.triangles);
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.facets);
   if(fit.number_of_turned_facets > 0 || fit.number_of_intersections > 0)
   {
     result = fitted;
@@ -201,7 +202,7 @@ inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options,
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"
                                         : "mapping the boundary to " + options.domain);
   if(is_surface_domain(options.domain))
-    mapped.surface = read_target_surface(options.domain);
+    VMP::IO::read_surface(options.domain, mapped.surface);
   Result& result = mapped.result;
   result = naming(options.source, [&] { return parameterize(mapped, options, landmarks, progress); });
   result.number_of_added_vertices += number_of_splits;

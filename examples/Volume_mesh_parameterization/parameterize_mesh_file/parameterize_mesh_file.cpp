@@ -203,10 +203,10 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
-  if(!mapped.surface.triangles.empty())
+  if(!mapped.surface.facets.empty())
   {
     outcome.surface_fit
-      = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.triangles);
+      = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets);
     if(const std::size_t n = outcome.surface_fit->number_of_turned_facets; n > 0 && outcome.exit_code == SUCCESS)
     {
       outcome.exit_code = NOT_AS_ASKED;

@@ -126,6 +126,26 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
+/// reads a surface in a format of \cgal or VTK (`.off`, `.stl`, `.obj`, `.ply` or `.vtp`). Faces with more vertices are split into
+/// triangles at their first vertex.
+///
+/// \param filename the name of the file
+/// \param surface gets the points, and the triangles as facets
+/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
+///
+/// \return `false` if the time is over or the visitor ends the reading; `surface` is then unchanged.
+///
+/// \exception Input_error names the fault; \c surface is then unchanged.
+template <typename NamedParameters = parameters::Default_named_parameters>
+bool read_surface(const std::string& filename, Tetrahedron_soup_3& surface,
+                  const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
+  { surface = internal::read_surface(filename, budget); });
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
 /// finds target points for the boundary of a mesh. They are the points of another mesh with its vertices and cells, in any order
 /// of the cells. Or they are the points of a surface, a soup without cells.
 ///
