@@ -75,6 +75,69 @@ void write_INP_set(Text_writer& writer, const std::string& keyword, const Indice
   writer << "\n";
 }
 
+// The nodes of quadrangles, for supports, and the faces of elements, for pressures.
+inline void write_INP_surface(Text_writer& writer, const Hexahedron_soup_3& mesh, const std::string& name,
+                              const std::vector<Quadrangle_of_hexahedron>& quadrangles)
+{
+  std::set<std::size_t> vertices;
+  for(const Quadrangle_of_hexahedron& q : quadrangles)
+    for(const std::size_t v : vertices_of(mesh, q))
+      vertices.insert(v);
+  write_INP_set(writer, "*NSET, NSET=" + name, vertices);
+  writer << "*SURFACE, TYPE=ELEMENT, NAME=" << name << "\n";
+  for(const Quadrangle_of_hexahedron& q : quadrangles) // the faces of an element are numbered as its quadrangles here
+    writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
+}
+
+inline std::map<std::string, std::vector<std::size_t> > INP_subdomains(const Hexahedron_soup_3& mesh)
+{
+  std::map<std::string, std::vector<std::size_t> > result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    result["SUBDOMAIN_" + std::to_string(mesh.cell_references[c])].push_back(c);
+  return result;
+}
+
+// Returns the faces of the polycube, the patches of the boundary and interfaces, and both sides of each interface.
+inline std::map<std::string, std::vector<Quadrangle_of_hexahedron> > INP_surfaces(const Hexahedron_soup_3& mesh)
+{
+  std::map<std::string, std::vector<Quadrangle_of_hexahedron> > result;
+  const auto add = [&](const std::string& name, const int number, const Quadrangle_of_hexahedron& q)
+  { result[name + std::to_string(number)].push_back(q); };
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+  {
+    const Quadrangle_of_hexahedron q = { mesh.facet_cells[f], side_of_facet(mesh, f) };
+    add("FACE_", mesh.polycube_faces[f], q);
+    if(mesh.facet_references[f] != 0)
+      add("SURFACE_", mesh.facet_references[f], q);
+  }
+  for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
+    for(const std::size_t k : { 0, 1 })
+    {
+      const std::size_t c = mesh.interface_cells[i][k];
+      const Quadrangle_of_hexahedron q = { c, side_of_quadrangle(mesh, c, mesh.interface_facets[i]) };
+      const std::array<int, 2> subdomains = subdomains_at_interface(mesh, i);
+      add("INTERFACE_" + std::to_string(subdomains[k]) + "_", subdomains[1 - k], q);
+      if(k == 0 && mesh.interface_references[i] != 0)
+        add("SURFACE_", mesh.interface_references[i], q);
+    }
+  return result;
+}
+
+// Adds a set for each name of groups of a dimension. It stands in the place of a set with the same name.
+template <typename Item>
+void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
+                std::map<std::string, std::vector<Item> >& sets)
+{
+  std::map<std::string, std::vector<Item> > groups;
+  for(const auto& [group, name] : names)
+    if(const auto set = sets.find(prefix + std::to_string(group.second)); group.first == dimension && set != sets.end())
+      groups[name].insert(groups[name].end(), set->second.begin(), set->second.end());
+  for(const auto& [group, name] : names)
+    if(group.first == dimension)
+      sets.erase(in_capitals(name));
+  sets.merge(groups);
+}
+
 } // namespace internal
 
 namespace IO {
@@ -263,77 +326,22 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
     writer << "\n";
   }
   writer << "*ELEMENT, TYPE=" << element_type << ", ELSET=EALL\n";
-  std::map<int, std::vector<std::size_t> > subdomains;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
     writer << c + 1;
     for(const std::size_t v : mesh.cells[c])
       writer << ", " << v + 1;
     writer << "\n";
-    subdomains[mesh.cell_references[c]].push_back(c);
   }
-  std::map<std::pair<int, std::string>, std::vector<int> > groups; // references, by dimension and name
-  std::set<std::pair<int, std::string> > taken;
-  for(const auto& [group, name] : names_in_INP(group_names))
-  {
-    groups[{ group.first, name }].push_back(group.second);
-    taken.insert({ group.first, internal::in_capitals(name) });
-  }
-  for(const auto& [reference, cells] : subdomains)
-    if(const std::string name = "SUBDOMAIN_" + std::to_string(reference); taken.count({ 3, name }) == 0)
-      internal::write_INP_set(writer, "*ELSET, ELSET=" + name, cells);
-
-  std::map<std::string, std::vector<internal::Quadrangle_of_hexahedron> > parts;
-  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
-  {
-    const internal::Quadrangle_of_hexahedron q = { mesh.facet_cells[f], internal::side_of_facet(mesh, f) };
-    parts["FACE_" + std::to_string(mesh.polycube_faces[f])].push_back(q);
-    if(mesh.facet_references[f] != 0)
-      parts["SURFACE_" + std::to_string(mesh.facet_references[f])].push_back(q);
-  }
-  for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
-    for(const std::size_t k : { 0, 1 })
-    {
-      const std::size_t c = mesh.interface_cells[i][k];
-      const internal::Quadrangle_of_hexahedron q = { c, internal::side_of_quadrangle(mesh, c, mesh.interface_facets[i]) };
-      const std::array<int, 2> sides = internal::subdomains_at_interface(mesh, i);
-      parts["INTERFACE_" + std::to_string(sides[k]) + "_" + std::to_string(sides[1 - k])].push_back(q);
-      if(k == 0 && mesh.interface_references[i] != 0)
-        parts["SURFACE_" + std::to_string(mesh.interface_references[i])].push_back(q);
-    }
-  const auto write_part = [&](const std::string& name, const std::vector<internal::Quadrangle_of_hexahedron>& quadrangles)
-  {
-    std::set<std::size_t> vertices;
-    for(const internal::Quadrangle_of_hexahedron& q : quadrangles)
-      for(const std::size_t v : internal::vertices_of(mesh, q))
-        vertices.insert(v);
-    internal::write_INP_set(writer, "*NSET, NSET=" + name, vertices);
-    writer << "*SURFACE, TYPE=ELEMENT, NAME=" << name << "\n";
-    for(const internal::Quadrangle_of_hexahedron& q : quadrangles) // the faces of an element are numbered as its quadrangles here
-      writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
-  };
-  for(const auto& [name, quadrangles] : parts)
-    if(taken.count({ 2, name }) == 0)
-      write_part(name, quadrangles);
-  for(const auto& [dimension_and_name, references] : groups)
-  {
-    const auto& [dimension, name] = dimension_and_name;
-    std::vector<std::size_t> cells;
-    std::vector<internal::Quadrangle_of_hexahedron> quadrangles;
-    for(const int reference : references)
-    {
-      const auto of_reference = subdomains.find(reference);
-      if(dimension == 3 && of_reference != subdomains.end())
-        cells.insert(cells.end(), of_reference->second.begin(), of_reference->second.end());
-      const auto part = parts.find("SURFACE_" + std::to_string(reference));
-      if(dimension == 2 && part != parts.end())
-        quadrangles.insert(quadrangles.end(), part->second.begin(), part->second.end());
-    }
-    if(!cells.empty())
-      internal::write_INP_set(writer, "*ELSET, ELSET=" + name, cells);
-    if(!quadrangles.empty())
-      write_part(name, quadrangles);
-  }
+  const std::map<std::pair<int, int>, std::string> names = names_in_INP(group_names);
+  auto subdomains = internal::INP_subdomains(mesh);
+  internal::add_groups(names, 3, "SUBDOMAIN_", subdomains);
+  for(const auto& [name, cells] : subdomains)
+    internal::write_INP_set(writer, "*ELSET, ELSET=" + name, cells);
+  auto surfaces = internal::INP_surfaces(mesh);
+  internal::add_groups(names, 2, "SURFACE_", surfaces);
+  for(const auto& [name, quadrangles] : surfaces)
+    internal::write_INP_surface(writer, mesh, name, quadrangles);
   return writer.finish();
 }
 
