@@ -21,7 +21,8 @@ int main()
   std::ifstream(CGAL::data_file_path("meshes/joint.off")) >> surface;
   Domain domain(surface);
   domain.detect_features();
-  CGAL::Mesh_criteria_3<C3t3::Triangulation> criteria(edge_size = 0.08, facet_angle = 25, facet_size = 0.08, cell_size = 0.08);
+  CGAL::Mesh_criteria_3<C3t3::Triangulation> criteria(edge_size = 0.08, facet_angle = 25,
+                                                     facet_size = 0.08, cell_size = 0.08);
   C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, manifold(), no_perturb(), no_exude());
   std::unordered_map<C3t3::Vertex_handle, CGAL::Epick::Point_3> uvw;
   const auto map = CGAL::stretch_minimizing_volume_parameterization(c3t3, VMP::make_vertex_point_map(uvw),
