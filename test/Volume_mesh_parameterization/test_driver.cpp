@@ -568,6 +568,16 @@ TEST_CASE("A body is fitted to a closed surface with other triangles, and slides
   CHECK(folder.run("source.mesh --to missing.off --quiet") == 2);
   CHECK(folder.text("stderr") == "missing.off: the file cannot be opened\n");
   CHECK(folder.text("report.json").find("ERROR_TARGET_NOT_A_SPHERE") != std::string::npos);
+
+  const std::string face_of_4e9_vertices = std::string("\0\x28\x6b\xee", 4) + std::string(12, '\0');
+  folder.write("damaged.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                              "property float z\nelement face 1\nproperty list uint uint vertex_indices\nend_header\n"
+                              + std::string(12, '\0') + face_of_4e9_vertices);
+  for(const std::string target : { "--to damaged.ply", "damaged.ply" })
+  {
+    CHECK(folder.run("source.mesh --quiet " + target) == 2);
+    CHECK(folder.text("stderr").find("damaged.ply: the surface cannot be read") == 0);
+  }
 }
 
 TEST_CASE("At the time limit, or interrupted, the valid map reached so far is written")
@@ -1444,7 +1454,7 @@ TEST_CASE("A faulty command line: exit code 2 and nothing is touched")
   CHECK(alternatives("target.txt --solver none").find("cg") == 0);
   CHECK(alternatives("target.txt --boundary none") == "auto, fixed, soft\n");
   CHECK(alternatives("--to polycube --polycube-axes none") == "found, given\n");
-  CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube, a surface *.off, *.stl, *.obj or *.ply\n");
+  CHECK(alternatives("--to none") == "ball, cube, box=X,Y,Z, polycube, a surface *.off, *.stl, *.obj, *.ply or *.vtp\n");
   // each of them can be chosen; domains are in a test of their own
   for(const std::string option : {"--energy", "--solver", "--boundary", "--refine", "--others"})
   {

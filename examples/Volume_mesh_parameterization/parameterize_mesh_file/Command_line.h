@@ -158,8 +158,8 @@ inline Command_line command_line(Options& options)
   boundary.add_options()
     ("to", po::value(&options.domain)->value_name("DOMAIN"),
      "the domain, instead of TARGET. ball: the unit ball. cube: the unit cube. box=X,Y,Z: a box with sides of these lengths. "
-     "polycube: a polycube close to the source. A closed surface (*.off, *.stl, *.obj or *.ply) may have any triangles: the "
-     "boundary is fitted to it. --to refines the source like --refine=boundary, unless --refine=none is given")
+     "polycube: a polycube close to the source. A closed surface (*.off, *.stl, *.obj, *.ply or *.vtp) may have any triangles: "
+     "the boundary is fitted to it. --to refines the source like --refine=boundary, unless --refine=none is given")
     ("polycube-axes", po::value(&options.polycube_axes)->value_name("WHICH")->default_value("found"),
      "found: the source is turned until its faces are nearly normal to the axes of the polycube. given: it is not turned")
     ("improve", po::bool_switch(&options.do_improve),

@@ -72,11 +72,7 @@ using Polycube = CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3;
 using Surface_fit = CGAL::Volume_mesh_parameterization::Surface_fit_boundary_parameterizer_3;
 using Boundary_parameterizer = std::variant<Ball_or_box, Polycube, Surface_fit>;
 
-inline bool is_surface_domain(const std::string& domain)
-{
-  const std::string extension = extension_of(domain);
-  return extension == ".off" || extension == ".stl" || extension == ".obj" || extension == ".ply";
-}
+inline bool is_surface_domain(const std::string& domain) { return format_of(domain) == Mesh_format::SURFACE; }
 
 // `points` are those of the mesh, whose vertices are landmarks.
 inline Surface_fit surface_fit(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& surface, const Landmarks& landmarks,
@@ -109,7 +105,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
     : find_name<Boundary_parameterizer>("domain", name, {
         {"ball", Ball_or_box{ Ball_or_box::Ball() }}, {"cube", Ball_or_box{ Ball_or_box::Box() }},
         {"box=X,Y,Z", Ball_or_box()}, {"polycube", polycube},
-        {"a surface *.off, *.stl, *.obj or *.ply", Ball_or_box()}});
+        {"a surface *.off, *.stl, *.obj, *.ply or *.vtp", Ball_or_box()}});
   if(Ball_or_box* const ball_or_box = std::get_if<Ball_or_box>(&result))
     ball_or_box->landmarks = landmarks;
   return result;

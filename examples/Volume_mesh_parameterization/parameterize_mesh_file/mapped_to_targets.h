@@ -202,7 +202,7 @@ inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options,
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"
                                         : "mapping the boundary to " + options.domain);
   if(is_surface_domain(options.domain))
-    VMP::IO::read_surface(options.domain, mapped.surface);
+    mapped.surface = read_surface(options.domain, progress);
   Result& result = mapped.result;
   result = naming(options.source, [&] { return parameterize(mapped, options, landmarks, progress); });
   result.number_of_added_vertices += number_of_splits;

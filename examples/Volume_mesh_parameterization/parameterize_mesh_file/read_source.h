@@ -8,6 +8,7 @@
 #include "regions_of_source.h"
 #include "sentence_on_content.h"
 
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
@@ -33,7 +34,8 @@ auto naming(const std::string& filename, const Function& f)
   }
   catch(const CGAL::Volume_mesh_parameterization::Input_error& error)
   {
-    throw CGAL::Volume_mesh_parameterization::Input_error(filename + ": " + error.what());
+    const std::string name = filename + ": ", sentence = error.what();
+    throw CGAL::Volume_mesh_parameterization::Input_error(sentence.find(name) == 0 ? sentence : name + sentence);
   }
 }
 
@@ -111,6 +113,17 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const st
     const std::string sentence = sentence_on_content(filename);
     throw Input_error(sentence.empty() ? error.what() : filename + ": " + sentence);
   }
+}
+
+// Reads a surface by CGAL, whose readers take the memory that a damaged file asks for.
+inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_surface(const std::string& filename,
+                                                                          const Progress_line& progress)
+{
+  return naming(filename, [&]
+  {
+    return read_in_own_process(filename, "CGAL", progress, [&](auto& soup)
+                               { CGAL::Volume_mesh_parameterization::IO::read_surface(filename, soup); });
+  });
 }
 
 // Fills the body of a CAD file or of a closed surface with tetrahedra. Without Gmsh, the error has the advice.

@@ -21,10 +21,11 @@ inline Points targets_of_file(const std::string& filename, const CGAL::Volume_me
 {
   namespace VMP = CGAL::Volume_mesh_parameterization;
   const auto np = CGAL::parameters::visitor(std::ref(progress)).output_iterator(std::back_inserter(notes));
-  const bool is_of_other_library = format_of(filename) == Mesh_format::GMSH || format_of(filename) == Mesh_format::VTK;
+  const Mesh_format format = format_of(filename);
+  const bool is_surface = format == Mesh_format::SURFACE, is_mesh = format == Mesh_format::GMSH || format == Mesh_format::VTK;
   Points result;
-  const bool is_complete = !is_of_other_library ? VMP::IO::read_boundary_targets(filename, mesh, result, np)
-    : naming(filename, [&, target = read_mesh(filename, progress)]
+  const bool is_complete = !is_surface && !is_mesh ? VMP::IO::read_boundary_targets(filename, mesh, result, np)
+    : naming(filename, [&, target = is_mesh ? read_mesh(filename, progress) : read_surface(filename, progress)]
              { return VMP::IO::boundary_targets_of_mesh(target, mesh, result, np); });
   if(!is_complete)
     throw Interruption();

@@ -52,6 +52,7 @@ Tetrahedron_soup_3 surface_of_polygons(Points points, const Polygons& polygons)
   for(const auto& polygon : polygons)
     for(std::size_t i = 2; i < polygon.size(); ++i)
       result.facets.push_back({ vertex(polygon[0]), vertex(polygon[i - 1]), vertex(polygon[i]) });
+  result.facet_references.resize(result.facets.size());
   return result;
 }
 
