@@ -25,7 +25,9 @@ maps the boundary of a complex onto a surface with other triangles, for instance
 Both surfaces are mapped to the unit sphere, as by `Ball_boundary_parameterizer_3`. There, the boundary is turned. With landmarks,
 the turn brings them as close to their points as possible, in the sense of least squares. Otherwise, it puts the principal axes of
 the boundary on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of
-the target. Vertices move on the target to lower the distortion of the boundary, and to turn its facets to the right side.
+the target. Vertices move on the target to lower the distortion of the boundary. As long as facets are turned over or intersect each
+other, vertices of both surfaces move in turn, each on the other surface: where few facets of the boundary cover a limb of the
+target, the vertices of the limb spread out, and more vertices of the boundary reach it.
 
 All vertices are on the target. Edges of the image are chords, and leave the target where it bends. `measure_surface_fit()`
 measures both distances.
@@ -34,10 +36,11 @@ The images of the boundary are starting points: vertices slide on the target if 
 `Vertex_condition_3::on_surface()` for the boundary. This lowers the energy, but facets may be turned over or intersect each other
 then. Call `measure_surface_fit()`, and keep the first map if they are.
 
-`parameterize()` returns `OK` if no facet is turned over and none intersects another one. Otherwise, it writes nothing and returns
-`ERROR_BOUNDARY_NOT_FITTED`, `ERROR_INVALID_LANDMARK` if a landmark is not finite, `ERROR_TARGET_NOT_A_SPHERE`, or one of the codes
-of `Ball_boundary_parameterizer_3`. Fits fail where limbs are thin, or far from those of the body. In the latter case, landmarks
-help. Bodies with handles are mapped by `Surface_boundary_parameterizer_3` or `Polycube_boundary_parameterizer_3`.
+`parameterize()` returns `OK` if `measure_surface_fit()` counts no facet that is turned over, and no intersection. Otherwise, it
+writes nothing and returns `ERROR_BOUNDARY_NOT_FITTED`, `ERROR_INVALID_LANDMARK` if a landmark is not finite,
+`ERROR_TARGET_NOT_A_SPHERE`, or one of the codes of `Ball_boundary_parameterizer_3`. Fits fail where limbs are thin, or far from
+those of the body. In the latter case, landmarks help. Bodies with handles are mapped by `Surface_boundary_parameterizer_3` or
+`Polycube_boundary_parameterizer_3`.
 
 The running time is in \f$ O(n \log n) \f$ for \f$ n \f$ vertices of both surfaces.
 

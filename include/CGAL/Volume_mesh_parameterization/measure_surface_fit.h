@@ -12,8 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/turned_facets_3.h>
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
@@ -76,22 +75,13 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
   const internal::Boundary_mesh_3 mesh_of_target = mesh_of(target);
 
   Surface_fit_3 result;
-  const auto nearest = [&](const Eigen::Vector3d& p) { return surface.nearest_point({ p[0], p[1], p[2] }); };
   for(const auto v : image.vertices())
   {
-    const Eigen::Vector3d p = internal::eigen_point(image, v), q = internal::to_vector(nearest(p).point);
+    const Eigen::Vector3d p = internal::eigen_point(image, v);
+    const Eigen::Vector3d q = internal::to_vector(surface.nearest_point(internal::coordinates(p)).point);
     result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
   }
-  for(const auto f : image.faces())
-  {
-    std::array<Eigen::Vector3d, 4> points; // the last one is the center
-    for(int i = 0; i < 3; ++i)
-      points[i] = internal::eigen_point(image, internal::vertices_of_face(image, f)[i]);
-    points[3] = (points[0] + points[1] + points[2]) / 3;
-    const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
-    result.number_of_turned_facets += std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p)
-    { return normal.dot(Eigen::Vector3d(internal::to_vector(nearest(p).direction))) <= 0; });
-  }
+  result.number_of_turned_facets = internal::number_of_turned_facets(image, surface);
   result.largest_distance_from_surface = Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(
     mesh_of_target, image, 1e-3 * internal::bounding_box(mesh_of_target).diagonal().norm());
   std::vector<std::pair<internal::Boundary_mesh_3::Face_index, internal::Boundary_mesh_3::Face_index> > pairs;

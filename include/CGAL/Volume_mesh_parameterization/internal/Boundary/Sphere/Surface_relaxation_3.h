@@ -27,56 +27,34 @@ class Surface_relaxation_3
 public:
   Surface_relaxation_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
                        const std::vector<Eigen::Vector3d>& directions)
-    : m_points(&points), m_rings(&rings), m_target(&target)
+    : m_points(points), m_rings(rings), m_target(target)
   {
     for(const Eigen::Vector3d& d : directions)
       m_positions.push_back(target.position_in_direction(d));
   }
 
-  // Moves all vertices in each sweep, or those at triangles that are turned over and their neighbors.
-  void relax(const int number_of_sweeps, const bool are_all, const Budget& budget)
+  void relax(const int number_of_sweeps, const Budget& budget)
   {
-    const double epsilon = are_all ? smooth : sharp;
     for(int i = 0; i < number_of_sweeps && budget.may_begin_round(Phase::BOUNDARY, "relaxation on a surface"); ++i)
-    {
-      const std::vector<bool> is_moved = are_all ? std::vector<bool>(m_positions.size(), true) : vertices_near_turned_triangles();
-      if(std::find(is_moved.begin(), is_moved.end(), true) == is_moved.end())
-        return;
-      for(int v = 0; v < m_rings->number_of_vertices(); ++v)
-        if(is_moved[v])
-          relax(v, epsilon);
-    }
+      for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+        relax(v);
   }
 
   double distortion() const
   {
     double result = 0;
-    for(int v = 0; v < m_rings->number_of_vertices(); ++v)
-      result += distortion(v, m_positions[v], smooth);
+    for(int v = 0; v < m_rings.number_of_vertices(); ++v)
+      result += distortion(v, m_positions[v]);
     return result;
   }
 
-  bool has_turned_triangle() const
-  {
-    const std::vector<bool> is_near = vertices_near_turned_triangles();
-    return std::find(is_near.begin(), is_near.end(), true) != is_near.end();
-  }
-
-  std::vector<Eigen::Vector3d> images() const
-  {
-    std::vector<Eigen::Vector3d> result;
-    for(const Surface_position_3& position : m_positions)
-      result.push_back(position.point);
-    return result;
-  }
+  const std::vector<Surface_position_3>& positions() const { return m_positions; }
 
 private:
-  static constexpr double smooth = 0.3, sharp = 0.02; // guesses for e
-
   template <typename Function>
   void for_each_triangle(const int v, const Function& function) const
   {
-    const std::vector<int>& ring = (*m_rings)[v];
+    const std::vector<int>& ring = m_rings[v];
     for(std::size_t i = 0; i < ring.size(); ++i)
       function(ring[i], ring[(i + 1) % ring.size()]);
   }
@@ -84,19 +62,6 @@ private:
   // Returns twice the area of an image, negative if it is turned over against the normals at its vertices.
   static double double_area(const Surface_position_3& a, const Surface_position_3& b, const Surface_position_3& c)
   { return (a.normal + b.normal + c.normal).normalized().dot((b.point - a.point).cross(c.point - a.point)); }
-
-  std::vector<bool> vertices_near_turned_triangles() const
-  {
-    std::vector<bool> result(m_positions.size(), false);
-    for(int v = 0; v < m_rings->number_of_vertices(); ++v)
-      for_each_triangle(v, [&](const int b, const int c)
-      {
-        if(!(double_area(m_positions[v], m_positions[b], m_positions[c]) > 0))
-          for(const int w : (*m_rings)[v])
-            result[w] = true;
-      });
-    return result;
-  }
 
   bool is_admissible(const int v, const Eigen::Vector3d& direction) const
   {
@@ -108,11 +73,11 @@ private:
     return result;
   }
 
-  void relax(const int v, const double epsilon)
+  void relax(const int v)
   {
     Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
     Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-    const double before = distortion(v, m_positions[v], epsilon, &gradient, &hessian);
+    const double before = distortion(v, m_positions[v], &gradient, &hessian);
     Small_matrix<3, 2> tangents;
     tangents.col(0) = m_positions[v].normal.unitOrthogonal();
     tangents.col(1) = m_positions[v].normal.cross(Eigen::Vector3d(tangents.col(0)));
@@ -123,8 +88,8 @@ private:
     constexpr double smallest = 0.01; // a guess
     for(double length = 1; length > smallest; length /= 3)
     {
-      const Surface_position_3 candidate = m_target->nearest_position(m_positions[v].point + length * step);
-      if(distortion(v, candidate, epsilon) < before && is_admissible(v, candidate.direction))
+      const Surface_position_3 candidate = m_target.nearest_position(m_positions[v].point + length * step);
+      if(distortion(v, candidate) < before && is_admissible(v, candidate.direction))
       {
         m_positions[v] = candidate;
         return;
@@ -133,13 +98,14 @@ private:
   }
 
   // Returns the distortion around v with a position of v. Adds the gradient and a positive approximation of the Hessian.
-  double distortion(const int v, const Surface_position_3& position, const double epsilon, Eigen::Vector3d* gradient = nullptr,
+  double distortion(const int v, const Surface_position_3& position, Eigen::Vector3d* gradient = nullptr,
                     Eigen::Matrix3d* hessian = nullptr) const
   {
+    constexpr double epsilon = 0.1; // a guess for e
     double result = 0;
     for_each_triangle(v, [&](const int j, const int k)
     {
-      const Eigen::Vector3d &p = (*m_points)[v], &q = (*m_points)[j], &r = (*m_points)[k];
+      const Eigen::Vector3d &p = m_points[v], &q = m_points[j], &r = m_points[k];
       double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm(), rp = (p - r).squaredNorm();
       const double regular = 1e-6 * (pq + qr + rp); // gives a flat triangle a positive area; the size is a guess
       pq += regular;
@@ -163,9 +129,9 @@ private:
     return result;
   }
 
-  const std::vector<Eigen::Vector3d>* m_points;
-  const Vertex_rings_3* m_rings;
-  const Surface_on_sphere_3* m_target;
+  const std::vector<Eigen::Vector3d>& m_points;
+  const Vertex_rings_3& m_rings;
+  const Surface_on_sphere_3& m_target;
   std::vector<Surface_position_3> m_positions;
 };
 

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_relaxation_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/turned_facets_3.h>
 
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
@@ -98,6 +99,48 @@ inline double size_of(const Numbered_surface_3& surface)
   return std::exp2(std::ilogb(box.sizes().maxCoeff()));
 }
 
+// A triangulated sphere, mapped one to one to the unit sphere.
+struct Surface_in_sphere_3
+{
+  const Numbered_surface_3* surface;
+  const Vertex_rings_3* rings;
+  std::vector<Eigen::Vector3d> directions;
+};
+
+// Two surfaces in one sphere. There, each vertex of one surface is in a triangle of the other one, which is its image.
+struct Surface_pair_3
+{
+  Surface_in_sphere_3 surface, target;
+  std::vector<Eigen::Vector3d> images = {}; // of the vertices of `surface`
+  double distortion = 0; // of the images
+
+  // Moves the vertices of the surface on the target.
+  void relax(const int number_of_sweeps, const Budget& budget)
+  {
+    const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
+    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions);
+    map.relax(number_of_sweeps, budget);
+    distortion = map.distortion();
+    images.clear();
+    surface.directions.clear();
+    for(const Surface_position_3& position : map.positions())
+    {
+      images.push_back(position.point);
+      surface.directions.push_back(position.direction);
+    }
+  }
+
+  // Moves the vertices of each surface on the other one. Where a few triangles of the surface cover a limb of the target, only the
+  // triangles of the limb are distorted: their vertices spread out, such that more vertices of the surface get there.
+  void relax_both(const int number_of_sweeps, const Budget& budget)
+  {
+    Surface_pair_3 inverse = { target, surface };
+    inverse.relax(number_of_sweeps, budget);
+    target = inverse.surface;
+    relax(number_of_sweeps, budget);
+  }
+};
+
 // Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over.
 inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_3 target, Point_pairs_3 landmarks,
                                    std::vector<Eigen::Vector3d>& images, const Budget& budget)
@@ -124,33 +167,43 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   const Moments_3 of_surface(surface), of_target(target);
   if(!(of_target.area > 0))
     return ERROR_TARGET_NOT_A_SPHERE;
-  std::vector<Eigen::Vector3d> points = surface.points; // with the area of the target
-  for(Eigen::Vector3d& p : points)
+  Numbered_surface_3 scaled = surface; // to the area of the target
+  for(Eigen::Vector3d& p : scaled.points)
     p *= std::sqrt(of_target.area / of_surface.area);
 
-  Boundary_mesh_3 mesh;
+  Boundary_mesh_3 mesh, mesh_of_target;
   build_boundary_mesh_3(surface, mesh);
-  const Vertex_rings_3 rings(mesh);
+  build_boundary_mesh_3(target, mesh_of_target);
+  const Vertex_rings_3 rings(mesh), rings_of_target(mesh_of_target);
   const Surface_on_sphere_3 on_sphere(target, directions_of_target);
-  constexpr int sweeps_to_compare = 5, sweeps = 25; // guesses
-  std::vector<std::pair<double, Surface_relaxation_3> > candidates;
+  std::vector<std::array<double, 3> > points_of_target;
+  for(const Eigen::Vector3d& p : target.points)
+    points_of_target.push_back(coordinates(p));
+  const Triangulated_surface_3 triangulated(points_of_target, target.facets);
+  const auto is_fitted = [&](const Surface_pair_3& pair)
+  {
+    set_points(mesh, pair.images);
+    return number_of_turned_facets(mesh, triangulated) == 0 && !Polygon_mesh_processing::does_self_intersect(mesh);
+  };
+  constexpr int sweeps_to_compare = 5, sweeps_of_round = 3, number_of_rounds = 40, last_sweeps = 25; // guesses
+  std::vector<Surface_pair_3> pairs;
   for(const auto& wanted : wanted_directions_3(surface, of_surface, of_target, on_sphere, landmarks))
   {
-    std::vector<Eigen::Vector3d> turned = directions;
-    turn_to_landmarks_3(wanted, turned);
-    Surface_relaxation_3 map(points, rings, on_sphere, turned);
-    map.relax(sweeps_to_compare, true, budget);
-    candidates.emplace_back(map.distortion(), std::move(map));
+    pairs.push_back({ { &scaled, &rings, directions }, { &target, &rings_of_target, directions_of_target } });
+    turn_to_landmarks_3(wanted, pairs.back().surface.directions);
+    pairs.back().relax(sweeps_to_compare, budget);
   }
-  std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  for(auto& [distortion, map] : candidates)
+  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
+  for(Surface_pair_3& pair : pairs)
   {
-    map.relax(sweeps, true, budget);
-    map.relax(sweeps, false, budget);
-    images = map.images();
-    set_points(mesh, images);
-    if(map.has_turned_triangle() || Polygon_mesh_processing::does_self_intersect(mesh))
+    for(int round = 0; round < number_of_rounds && !is_fitted(pair) && !budget.is_exhausted(); ++round)
+      pair.relax_both(sweeps_of_round, budget);
+    if(!is_fitted(pair))
       continue;
+    images = pair.images;
+    pair.relax(last_sweeps, budget);
+    if(is_fitted(pair))
+      images = pair.images;
     for(Eigen::Vector3d& p : images)
       p *= size;
     return OK;
