@@ -26,8 +26,8 @@ class Surface_relaxation_3
 {
 public:
   Surface_relaxation_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
-                       const std::vector<Eigen::Vector3d>& directions)
-    : m_points(points), m_rings(rings), m_target(target)
+                       const std::vector<Eigen::Vector3d>& directions, const double epsilon)
+    : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon)
   {
     for(const Eigen::Vector3d& d : directions)
       m_positions.push_back(target.position_in_direction(d));
@@ -101,7 +101,6 @@ private:
   double distortion(const int v, const Surface_position_3& position, Eigen::Vector3d* gradient = nullptr,
                     Eigen::Matrix3d* hessian = nullptr) const
   {
-    constexpr double epsilon = 0.1; // a guess for e
     double result = 0;
     for_each_triangle(v, [&](const int j, const int k)
     {
@@ -116,7 +115,7 @@ private:
       const Eigen::Vector3d &a = position.point, &b = m_positions[j].point, &c = m_positions[k].point;
       const double dirichlet = (at_a * (b - c).squaredNorm() + at_b * (a - c).squaredNorm() + at_c * (a - b).squaredNorm()) / 2;
       const double d = double_area(position, m_positions[j], m_positions[k]) / (2 * area);
-      const double root = std::sqrt(d * d + epsilon * epsilon), x = (d + root) / 2, slope = x / root;
+      const double root = std::sqrt(d * d + m_epsilon * m_epsilon), x = (d + root) / 2, slope = x / root;
       result += dirichlet * (1 + 1 / (x * x));
       if(gradient == nullptr)
         return;
@@ -132,6 +131,7 @@ private:
   const std::vector<Eigen::Vector3d>& m_points;
   const Vertex_rings_3& m_rings;
   const Surface_on_sphere_3& m_target;
+  double m_epsilon; // e
   std::vector<Surface_position_3> m_positions;
 };
 

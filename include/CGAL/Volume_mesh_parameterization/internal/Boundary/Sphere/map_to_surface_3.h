@@ -115,10 +115,10 @@ struct Surface_pair_3
   double distortion = 0; // of the images
 
   // Moves the vertices of the surface on the target.
-  void relax(const int number_of_sweeps, const Budget& budget)
+  void relax(const int number_of_sweeps, const double epsilon, const Budget& budget)
   {
     const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
-    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions);
+    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon);
     map.relax(number_of_sweeps, budget);
     distortion = map.distortion();
     images.clear();
@@ -132,12 +132,12 @@ struct Surface_pair_3
 
   // Moves the vertices of each surface on the other one. Where a few triangles of the surface cover a limb of the target, only the
   // triangles of the limb are distorted: their vertices spread out, such that more vertices of the surface get there.
-  void relax_both(const int number_of_sweeps, const Budget& budget)
+  void relax_both(const int number_of_sweeps, const double epsilon, const Budget& budget)
   {
     Surface_pair_3 inverse = { target, surface };
-    inverse.relax(number_of_sweeps, budget);
+    inverse.relax(number_of_sweeps, epsilon, budget);
     target = inverse.surface;
-    relax(number_of_sweeps, budget);
+    relax(number_of_sweeps, epsilon, budget);
   }
 };
 
@@ -185,30 +185,39 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
     set_points(mesh, pair.images);
     return number_of_turned_facets(mesh, triangulated) == 0 && !Polygon_mesh_processing::does_self_intersect(mesh);
   };
-  constexpr int sweeps_to_compare = 5, sweeps_of_round = 3, number_of_rounds = 40, last_sweeps = 25; // guesses
+  constexpr int sweeps_to_compare = 5, sweeps_of_round = 3, number_of_rounds = 40, last_sweeps = 15; // guesses
+  constexpr double smooth = 0.1, sharp = 0.01; // guesses for e
   std::vector<Surface_pair_3> pairs;
   for(const auto& wanted : wanted_directions_3(surface, of_surface, of_target, on_sphere, landmarks))
   {
     pairs.push_back({ { &scaled, &rings, directions }, { &target, &rings_of_target, directions_of_target } });
     turn_to_landmarks_3(wanted, pairs.back().surface.directions);
-    pairs.back().relax(sweeps_to_compare, budget);
+    pairs.back().relax(sweeps_to_compare, smooth, budget);
   }
   std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
-  for(Surface_pair_3& pair : pairs)
-  {
-    for(int round = 0; round < number_of_rounds && !is_fitted(pair) && !budget.is_exhausted(); ++round)
-      pair.relax_both(sweeps_of_round, budget);
-    if(!is_fitted(pair))
-      continue;
-    images = pair.images;
-    pair.relax(last_sweeps, budget);
-    if(is_fitted(pair))
-      images = pair.images;
-    for(Eigen::Vector3d& p : images)
-      p *= size;
-    return OK;
-  }
-  return ERROR_BOUNDARY_NOT_FITTED;
+  std::vector<Eigen::Vector3d> fitted;
+  for(auto pair = pairs.begin(); pair != pairs.end() && fitted.empty(); ++pair)
+    for(int round = 0; round <= number_of_rounds && !budget.is_exhausted(); ++round)
+    {
+      if(round > 0)
+        pair->relax_both(sweeps_of_round, smooth, budget);
+      if(!is_fitted(*pair))
+        continue;
+      fitted = pair->images;
+      Surface_pair_3 relaxed = *pair;
+      relaxed.relax(last_sweeps, sharp, budget);
+      if(is_fitted(relaxed))
+      {
+        fitted = relaxed.images;
+        break;
+      }
+    }
+  if(fitted.empty())
+    return ERROR_BOUNDARY_NOT_FITTED;
+  images.clear();
+  for(const Eigen::Vector3d& p : fitted)
+    images.push_back(p * size);
+  return OK;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
