@@ -219,8 +219,8 @@ struct Parameterization_result
   /// surfaces
   std::size_t number_of_sliding_vertices = 0;
 
-  /// whether a boundary that is partly free intersects itself. Such a map is valid, but only locally one to one. If the time
-  /// limit ends the comparison of facets, the value is `false`.
+  /// whether a boundary that is partly free, or slides on curved surfaces, intersects itself. Such a map is valid, but only
+  /// locally one to one. If the time limit ends the comparison of facets, the value is `false`.
   bool boundary_crosses_itself = false;
 
   /// number of exact proofs that no map with this connectivity meets this boundary; one suffices

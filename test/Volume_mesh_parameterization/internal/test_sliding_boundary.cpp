@@ -319,6 +319,26 @@ TEST_CASE("Vertices of curved patches slide from the minimum with fixed boundary
   CHECK(std::count(planar.begin(), planar.end(), "minimization") == 0);
 }
 
+TEST_CASE("Curved walls that intersect each other are told if vertices slide on them")
+{
+  const auto map_to_ring = [](const double angle)
+  {
+    constexpr int length = 7;
+    Complex complex(mapped_cube(length, 0, [&](const Vector3d& p) -> Vector3d
+    {
+      const double r = 2 + p[1] / length, phi = angle * p[0] / length;
+      return Vector3d(r * std::sin(phi), r * std::cos(phi), p[2] / length);
+    }));
+    return slide(complex);
+  };
+  const Parameterization_result open = map_to_ring(5), overlapping = map_to_ring(6.5);
+  CHECK(open.has_valid_map);
+  CHECK(!open.boundary_crosses_itself);
+  CHECK(overlapping.has_valid_map);
+  CHECK(overlapping.boundary_crosses_itself);
+  CHECK(overlapping.message.find("the map is not one to one") != std::string::npos);
+}
+
 TEST_CASE("Planes are recognized in spite of rounding, but not of bumps")
 {
   const auto rounded_cube = [](const double unit)

@@ -103,7 +103,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
        !crossing.empty())
       result.message += crossing + ". Few such boundaries have a map without inverted cells, and no such map is one to one.";
-  if(found.map.is_valid() && (mesh.alignment || are_some_on_surfaces(mesh.sliding_conditions)))
+  if(found.map.is_valid() && (mesh.alignment || found.has_slid_on_surfaces))
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())
     {
@@ -112,7 +112,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
     }
   result.has_valid_map = found.map.is_valid();
   if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole()
-     && !are_some_on_surfaces(mesh.sliding_conditions)) // which have left their targets
+     && !found.has_slid_on_surfaces) // off their targets
     result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
     + std::count_if(mesh.conditions.begin(), mesh.conditions.end(), [](const Vertex_condition_3& condition)

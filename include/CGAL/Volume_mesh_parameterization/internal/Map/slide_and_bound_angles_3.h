@@ -114,7 +114,8 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     return found;
   const Sliding_boundary_3 boundary(mesh);
   found.number_of_sliding_vertices = boundary.number_of_sliding_vertices();
-  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && are_some_on_surfaces(boundary.conditions()))
+  found.has_slid_on_surfaces = are_some_on_surfaces(boundary.conditions());
+  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && found.has_slid_on_surfaces)
   { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
     Newton_system_3 fixed(mesh, free_vertices(mesh), problem.solver);
     found = minimize_map_3(fixed, problem, std::move(found));
