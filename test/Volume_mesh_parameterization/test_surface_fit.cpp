@@ -69,6 +69,20 @@ Surface ellipsoid(const int latitudes, const int longitudes)
   return result;
 }
 
+// Six arms, bent around the axis z, that are the thinner the larger the exponent is.
+Surface star(const double exponent, const double radius_of_core)
+{
+  Surface result = ellipsoid(24, 34);
+  for(Point& p : result.points)
+  {
+    const double x = p[0] / 3, y = p[1] / 2, z = p[2];
+    const double arm = std::pow((std::max)({ std::abs(x), std::abs(y), std::abs(z) }), exponent);
+    const double radius = radius_of_core + arm, c = radius * std::cos(3 * arm), s = radius * std::sin(3 * arm);
+    p = { 1.6 * (c * x - s * y), 1.25 * (s * x + c * y), radius * z };
+  }
+  return result;
+}
+
 // A torus of a grid.
 Surface torus(const int n)
 {
@@ -186,20 +200,30 @@ TEST_CASE("A fit keeps its digits at any size, and ends where it is interrupted"
         == VMP::ERROR_INTERRUPTED);
 }
 
-TEST_CASE("A boundary without enough vertices for the limbs of a surface is refused")
+TEST_CASE("Limbs that few facets cover are reached by more vertices, or the boundary is refused")
 {
-  Surface star = ellipsoid(40, 60); // with six arms that are thin and bent
-  for(Point& p : star.points)
+  const auto fit_to_star = [](const int n, const double exponent, const double radius_of_core)
   {
-    const double x = p[0] / 3, y = p[1] / 2, z = p[2], arm = std::pow((std::max)({ std::abs(x), std::abs(y), std::abs(z) }), 30);
-    const double radius = 0.02 + arm, c = radius * std::cos(2 * arm), s = radius * std::sin(2 * arm);
-    p = { c * x - s * y, s * x + c * y, radius * z };
-  }
-  const VMP::Tetrahedron_soup_3 mesh = cube(2);
-  Points targets;
-  const VMP::Error_code status = Fit(star.points, star.triangles).parameterize(mesh.points, mesh.cells, targets);
-  CHECK(status == VMP::ERROR_BOUNDARY_NOT_FITTED);
-  CHECK(targets.empty());
+    const Surface target = star(exponent, radius_of_core);
+    VMP::Tetrahedron_soup_3 mesh = cube(n);
+    Points targets;
+    const VMP::Error_code status = Fit(target.points, target.triangles).parameterize(mesh.points, mesh.cells, targets);
+    CHECK(targets.empty() == (status != VMP::OK));
+    if(status == VMP::OK)
+    {
+      for(std::size_t v = 0; v < targets.size(); ++v)
+        if(!std::isnan(targets[v][0]))
+          mesh.points[v] = targets[v];
+      const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(mesh.points, mesh.cells, target.points, target.triangles);
+      CHECK(fit.largest_distance_to_surface < 1e-14);
+      CHECK(fit.number_of_turned_facets == 0);
+      CHECK(fit.number_of_intersections == 0);
+    }
+    return status;
+  };
+  CHECK(fit_to_star(3, 12, 0.2) == VMP::OK);
+  CHECK(fit_to_star(3, 12, 0.1) == VMP::OK);
+  CHECK(fit_to_star(2, 30, 0.001) == VMP::ERROR_BOUNDARY_NOT_FITTED);
 }
 
 TEST_CASE("A fit is measured in both directions")

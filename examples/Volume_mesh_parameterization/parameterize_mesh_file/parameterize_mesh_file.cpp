@@ -204,17 +204,7 @@ Outcome run(const Options& options, Progress_line& progress)
   if(!result.has_valid_map)
     return outcome;
   if(!mapped.surface.facets.empty())
-  {
-    outcome.surface_fit
-      = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets);
-    if(const std::size_t n = outcome.surface_fit->number_of_turned_facets; n > 0 && outcome.exit_code == SUCCESS)
-    {
-      outcome.exit_code = NOT_AS_ASKED;
-      outcome.status_code = error_code_name(VMP::ERROR_BOUNDARY_NOT_FITTED);
-      outcome.result.message = "The map is valid, but " + counted(n, "facet is", "facets are")
-                             + " turned over on the surface. Use --landmarks, or a finer source.";
-    }
-  }
+    outcome.surface_fit = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets);
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
   if(has_file && outcome.exit_code == SUCCESS && !target.is_boundary_free && !options.do_slide
