@@ -27,6 +27,17 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 template <typename NamedParameters>
 constexpr bool has_conditions = !parameters::is_default_parameter<NamedParameters, internal_np::vertex_condition_t>::value;
 
+// Returns the points that are vertices of cells.
+inline std::vector<std::size_t> points_of_cells(const Body_3& body)
+{
+  const std::vector<bool> has_cell = used_points(body.cells, body.points.size());
+  std::vector<std::size_t> result;
+  for(std::size_t p = 0; p < has_cell.size(); ++p)
+    if(has_cell[p])
+      result.push_back(p);
+  return result;
+}
+
 // Reads the named parameters of a map that are not about vertices.
 template <typename ConcurrencyTag, typename NamedParameters>
 Map_options_3 map_options_3(const NamedParameters& np)
@@ -131,16 +142,13 @@ private:
   Progress_3 m_progress;
 };
 
-// Reads the named parameters about the vertices of a body. `vertex(p)` is what the user calls the point p of a cell.
-template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
-Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
-                              const VertexOfPoint& vertex)
-{
-  const std::size_t number_of_points = body.points.size();
-  const std::vector<bool> has_cell = used_points(body.cells, number_of_points);
+// The functions below read the named parameters about vertices. `points` are those of cells, and `vertex(p)` is what the user
+// calls the point p.
 
-  Prescription_3 result;
-  result.extend_to(number_of_points);
+template <typename Vertex, typename NamedParameters, typename VertexOfPoint>
+void set_conditions(Prescription_3& prescription, const Body_3& body, const std::vector<std::size_t>& points,
+                    const NamedParameters& np, const VertexOfPoint& vertex)
+{
   if constexpr(has_conditions<NamedParameters>)
   {
     const auto conditions = parameters::get_parameter(np, internal_np::vertex_condition_map);
@@ -149,51 +157,71 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
                   && parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value,
                   "vertex_condition_map replaces vertex_is_constrained_map and do_slide_boundary: pass one of them.");
-    for(std::size_t p = 0; p < number_of_points; ++p)
-      if(has_cell[p])
-        result.conditions[p] = get(conditions, vertex(p));
+    for(const std::size_t p : points)
+      prescription.conditions[p] = get(conditions, vertex(p));
   }
   else
   {
     const auto is_constrained
       = parameter_or(np, internal_np::vertex_is_constrained, Static_boolean_property_map<Vertex, false>());
-    result.boundary_condition = parameter_or(np, internal_np::do_slide_boundary, false) ? Vertex_condition_3::in_boundary()
-                                                                                         : Vertex_condition_3::at_target();
-    const std::vector<bool> is_on_boundary = used_points(body.boundary, number_of_points);
-    for(std::size_t p = 0; p < number_of_points; ++p)
-      if(has_cell[p] && get(is_constrained, vertex(p)))
-        result.conditions[p] = Vertex_condition_3::at_target();
+    prescription.boundary_condition = parameter_or(np, internal_np::do_slide_boundary, false)
+                                      ? Vertex_condition_3::in_boundary() : Vertex_condition_3::at_target();
+    const std::vector<bool> is_on_boundary = used_points(body.boundary, body.points.size());
+    for(const std::size_t p : points)
+      if(get(is_constrained, vertex(p)))
+        prescription.conditions[p] = Vertex_condition_3::at_target();
       else if(is_on_boundary[p])
-        result.conditions[p] = result.boundary_condition;
+        prescription.conditions[p] = prescription.boundary_condition;
   }
-  for(std::size_t p = 0; p < number_of_points; ++p)
-    if(has_cell[p] && result.conditions[p].kind() != Vertex_condition_3::FREE)
+}
+
+template <typename Vertex, typename NamedParameters, typename VertexOfPoint>
+void set_initial_images(Prescription_3& prescription, const std::vector<std::size_t>& points, const NamedParameters& np,
+                        const VertexOfPoint& vertex)
+{
+  const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
+  static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
+                "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+  prescription.initial.resize(prescription.targets.size());
+  for(const std::size_t p : points)
+    prescription.initial[p] = coordinates(get(initial_map, vertex(p)));
+}
+
+template <typename Vertex, typename VertexOfPoint>
+std::vector<Linear_constraint_3<std::size_t> > constraints_of_points(const std::vector<Linear_constraint_3<Vertex> >& constraints,
+                                                                     const std::vector<std::size_t>& points,
+                                                                     const VertexOfPoint& vertex)
+{
+  std::unordered_map<Vertex, std::size_t> point_of;
+  for(const std::size_t p : points)
+    point_of.emplace(vertex(p), p);
+  std::vector<Linear_constraint_3<std::size_t> > result;
+  for(const Linear_constraint_3<Vertex>& constraint : constraints)
+  {
+    result.push_back({ {}, constraint.value });
+    for(const auto& term : constraint.terms)
+      result.back().terms.push_back({ point_of.at(term.vertex), term.coefficient });
+  }
+  return result;
+}
+
+// Returns the prescription of a body, where `target(p)` is the target of a point.
+template <typename Vertex, typename NamedParameters, typename TargetOfPoint, typename VertexOfPoint>
+Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, const TargetOfPoint& target,
+                              const VertexOfPoint& vertex)
+{
+  const std::vector<std::size_t> points = points_of_cells(body);
+  Prescription_3 result;
+  result.extend_to(body.points.size());
+  set_conditions<Vertex>(result, body, points, np, vertex);
+  for(const std::size_t p : points)
+    if(result.conditions[p].kind() != Vertex_condition_3::FREE)
       result.targets[p] = body.image_type.rounded_point(completed_target(coordinates(target(p)), result.conditions[p]));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
-  {
-    const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
-    static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
-                  "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
-    result.initial.resize(number_of_points);
-    for(std::size_t p = 0; p < number_of_points; ++p)
-      if(has_cell[p])
-        result.initial[p] = coordinates(get(initial_map, vertex(p)));
-  }
+    set_initial_images<Vertex>(result, points, np, vertex);
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::positional_constraints_t>::value)
-  {
-    std::unordered_map<Vertex, std::size_t> points;
-    for(std::size_t p = 0; p < number_of_points; ++p)
-      if(has_cell[p])
-        points.emplace(vertex(p), p);
-    const std::vector<Linear_constraint_3<Vertex> >& constraints
-      = parameters::get_parameter(np, internal_np::positional_constraints);
-    for(const Linear_constraint_3<Vertex>& constraint : constraints)
-    {
-      result.constraints.push_back({ {}, constraint.value });
-      for(const auto& term : constraint.terms)
-        result.constraints.back().terms.push_back({ points.at(term.vertex), term.coefficient });
-    }
-  }
+    result.constraints = constraints_of_points<Vertex>(parameters::get_parameter(np, internal_np::positional_constraints), points,
+                                                       vertex);
   return result;
 }
 
