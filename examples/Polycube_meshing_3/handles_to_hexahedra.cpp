@@ -31,5 +31,5 @@ int main()
   PM::Hexahedron_soup_3 hexahedra;
   const auto result = PM::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), 0.05, hexahedra);
   std::cout << map.message << " " << result.message << " " << hexahedra.cells.size() << " hexahedra" << std::endl;
-  return PM::IO::write_VTU("hexahedra_of_handles.vtu", hexahedra) && result.status == VMP::OK ? 0 : 1;
+  return PM::IO::write_VTU("hexahedra_of_handles.vtu", hexahedra) && result.status == PM::OK ? 0 : 1;
 }

@@ -55,7 +55,7 @@ int main(int argc, char* argv[])
             << result.number_of_cells << " hexahedra, " << result.number_of_vertices << " vertices\n"
             << "scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << std::endl;
-  if(result.status != VMP::OK)
+  if(result.status != PM::OK)
     return EXIT_FAILURE;
 
   const bool is_written = (std::filesystem::path(output_filename).extension() == ".inp")

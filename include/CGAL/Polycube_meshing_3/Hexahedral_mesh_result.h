@@ -60,7 +60,7 @@ everywhere. This may happen although all corners are positive.
 */
 struct Hexahedral_mesh_result
 {
-  Volume_mesh_parameterization::Error_code status = Volume_mesh_parameterization::OK; ///< how the computation ended
+  Error_code status = OK;                ///< how the computation ended
   std::string message;                   ///< sentences about the status and its place
   bool has_valid_mesh = false;           ///< whether no hexahedron is inverted and the mesh is written
   std::size_t number_of_vertices = 0;          ///< all vertices of the mesh

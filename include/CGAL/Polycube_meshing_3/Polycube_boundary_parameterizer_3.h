@@ -165,11 +165,11 @@ public:
 #ifdef DOXYGEN_RUNNING
   /// writes the image of each vertex of the boundary of a complex, as described in `BoundaryParameterizer_3`.
   template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
+  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
   /// writes the image of each point on the boundary of a mesh that is given by arrays, as described there.
   template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Volume_mesh_parameterization::Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
+  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const;
 #endif
 
@@ -189,7 +189,7 @@ public:
   /// \return the same as without labels
   template <typename C3t3, typename FacetLabelMap, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS,
             typename = typename C3t3::Triangulation, typename = internal::Key_of<VertexPointMap> >
-  Volume_mesh_parameterization::Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
+  Error_code parameterize(const C3t3& c3t3, FacetLabelMap labels, VertexPointMap target,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_of_complex_3<C3t3> body(c3t3);
@@ -204,8 +204,7 @@ public:
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
             typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange>,
             typename = internal::If_range<TargetRange> >
-  Volume_mesh_parameterization::Error_code parameterize(const PointRange& points, const CellRange& cells,
-                                                        const LabelRange& labels, TargetRange& targets,
+  Error_code parameterize(const PointRange& points, const CellRange& cells, const LabelRange& labels, TargetRange& targets,
                           const CGAL_NP_CLASS& np = parameters::default_values()) const
   {
     const internal::Body_3 body = internal::body_of(points, cells);
@@ -254,9 +253,8 @@ private:
   using Given = std::vector<std::size_t>; // labels
 
   // Finds images of a boundary as it is given and, if it may be refined, before these those of one with more vertices.
-  Volume_mesh_parameterization::Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
-                                                const internal::Budget& budget,
-                  std::vector<internal::Mapped_boundary_3>& boundaries) const
+  Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
+                  const internal::Budget& budget, std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
     for(const std::size_t label : label_of_facet)
       internal::require(label < 6, "labels of facets of the boundary must be 0 to 5.");
@@ -264,8 +262,8 @@ private:
     const internal::Found_polycube_3 found
       = internal::map_to_polycube_3({ surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND, may_refine }, budget);
     if(budget.is_exhausted()) // then the status does not matter
-      return Volume_mesh_parameterization::ERROR_INTERRUPTED;
-    if(found.status != Volume_mesh_parameterization::OK)
+      return ERROR_INTERRUPTED;
+    if(found.status != OK)
       return found.status;
     if(!found.images_with_splits.empty())
       boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images_with_splits));
@@ -274,7 +272,7 @@ private:
     for(internal::Mapped_boundary_3& boundary : boundaries)
       for(int i = 0; i < 3; ++i)
         boundary.rotation[i] = internal::coordinates(found.rotation.row(i));
-    return Volume_mesh_parameterization::OK;
+    return OK;
   }
 
   // Returns the direction of the normal of a facet's image on a polycube.

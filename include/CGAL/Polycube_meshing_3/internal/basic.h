@@ -29,6 +29,31 @@
 #  define CGAL_POLYCUBE_MESHING_3_INLINE inline
 #endif
 
+namespace CGAL::Polycube_meshing_3 {
+
+// The codes that functions of this package return. They are those of the other package, whose call for a map returns the code of a
+// boundary parameterizer.
+using Volume_mesh_parameterization::Error_code;
+using Volume_mesh_parameterization::OK;
+using Volume_mesh_parameterization::ERROR_INTERRUPTED;
+using Volume_mesh_parameterization::ERROR_EMPTY_COMPLEX;
+using Volume_mesh_parameterization::ERROR_NON_FINITE_COORDINATE;
+using Volume_mesh_parameterization::ERROR_SIZE_OUT_OF_RANGE;
+using Volume_mesh_parameterization::ERROR_INVERTED_SOURCE_CELL;
+using Volume_mesh_parameterization::ERROR_INVERTED_TARGET_BOUNDARY;
+using Volume_mesh_parameterization::ERROR_NON_MANIFOLD_BOUNDARY;
+using Volume_mesh_parameterization::ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+using Volume_mesh_parameterization::ERROR_BOUNDARY_TOO_COARSE;
+using Volume_mesh_parameterization::ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
+using Volume_mesh_parameterization::ERROR_NO_POLYCUBE;
+using Volume_mesh_parameterization::ERROR_SPACING_TOO_COARSE;
+using Volume_mesh_parameterization::ERROR_DOMAIN_NOT_AXIS_PARALLEL;
+using Volume_mesh_parameterization::ERROR_INVERTED_HEXAHEDRON;
+using Volume_mesh_parameterization::ERROR_POOR_HEXAHEDRON;
+using Volume_mesh_parameterization::ERROR_INCOMPLETE_HEXAHEDRA;
+
+} // namespace CGAL::Polycube_meshing_3
+
 namespace CGAL::Polycube_meshing_3::internal {
 
 // The inside of this package uses that of the other one.
