@@ -57,7 +57,6 @@ if(${PROJECT_NAME}_ENGINE)
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Triangulated_surface_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Conjugate_gradient_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel_impl.h>

@@ -15,7 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Map_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -85,6 +85,10 @@ struct Search_start_3
 };
 
 // The parts of the seam of the map, which processes that share a mesh call one by one.
+// Can there be a map? Names the first reason against it.
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
+Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget = Budget());
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 find_map_3(const Numbered_mesh_3& mesh, const Input_check_3& check, const Map_problem_3& problem,
                        const Search_start_3& start = Search_start_3());

@@ -14,7 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 

@@ -16,7 +16,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/check_input_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
