@@ -84,6 +84,13 @@ Ctrl-C and the time limit end the program in each of its parts. The program then
 A second Ctrl-C ends the program at once.
 )";
 
+// Throws a sentence that names an option and what is wrong with it.
+inline void refuse_if(const bool is_wrong, const std::string& sentence)
+{
+  if(is_wrong)
+    throw std::runtime_error(sentence);
+}
+
 namespace options_of_both_programs {
 
 constexpr unsigned width = 100; // columns of the help, a guess
@@ -116,6 +123,13 @@ inline void add_limits(boost::program_options::options_description& computation,
     ("quiet", po::bool_switch(&options.is_quiet), "print errors only")
     ("version", "print the version, and the formats of files that this program has been built for")
     ("help", "print this text");
+}
+
+inline void check_limits(const Options& options)
+{
+  refuse_if(options.number_of_iterations < 0, "the number of iterations must not be negative");
+  refuse_if(!(options.energy_tolerance >= 0), "the tolerance of the energy must not be negative");
+  refuse_if(!(options.time_limit >= 0), "the time limit must not be negative");
 }
 
 } // namespace options_of_both_programs

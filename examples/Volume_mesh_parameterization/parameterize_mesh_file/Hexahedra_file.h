@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
+
 class Hexahedra_file
 {
 public:
@@ -34,7 +36,7 @@ public:
     m_name = words[1];
     if(*end != '\0' || !(m_spacing > 0) || !std::isfinite(m_spacing))
       throw std::runtime_error("the spacing of hexahedra '" + words[0] + "' is not a finite positive number");
-    if(!CGAL::Volume_mesh_parameterization::IO::Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
+    if(!VMP::IO::Output_file::is_stream(m_name) && !is_mesh_name(m_name) && extension() != ".inp")
       throw std::runtime_error(m_name + ": the name of the hexahedra must end with .inp, " + mesh_extensions);
   }
 
@@ -42,12 +44,9 @@ public:
   double spacing() const { return m_spacing; }       // 0 if there is none
 
   // Writes the file only if there is a valid mesh.
-  CGAL::Polycube_meshing_3::Hexahedral_mesh_result
-  write(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& source,
-        const std::vector<std::array<double, 3> >& uvw, const bool are_staircases, Progress_line& progress) const
+  PM::Hexahedral_mesh_result write(const VMP::Tetrahedron_soup_3& source, const std::vector<std::array<double, 3> >& uvw,
+                                   const bool are_staircases, Progress_line& progress) const
   {
-    namespace PM = CGAL::Polycube_meshing_3;
-    namespace VMP = CGAL::Volume_mesh_parameterization;
     PM::Hexahedron_soup_3 mesh;
     const PM::Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3<CGAL::Parallel_if_available_tag>(
       source, uvw, m_spacing, mesh, CGAL::parameters::visitor(std::ref(progress)).do_keep_interfaces(!are_staircases)

@@ -12,15 +12,11 @@
 class JSON_object
 {
 public:
-  JSON_object& add(const char* key, double x)
-  {
-    return add_raw(key, number(x));
-  }
-
-  JSON_object& add(const char* key, std::size_t n)
-  {
-    return add_raw(key, std::to_string(n));
-  }
+  JSON_object& add(const char* key, double x) { return add_raw(key, number(x)); }
+  JSON_object& add(const char* key, std::size_t n) { return add_raw(key, std::to_string(n)); }
+  JSON_object& add(const char* key, const char* text) { return add(key, std::string(text)); }
+  JSON_object& add(const char* key, bool is_true) { return add_raw(key, is_true ? "true" : "false"); }
+  JSON_object& add(const char* key, const JSON_object& object) { return add_raw(key, object.text()); }
 
   JSON_object& add(const char* key, const std::vector<double>& numbers)
   {
@@ -46,21 +42,6 @@ public:
         quoted += text.substr(i, size);
     }
     return add_raw(key, "\"" + quoted + "\"");
-  }
-
-  JSON_object& add(const char* key, const char* text)
-  {
-    return add(key, std::string(text));
-  }
-
-  JSON_object& add(const char* key, bool is_true)
-  {
-    return add_raw(key, is_true ? "true" : "false");
-  }
-
-  JSON_object& add(const char* key, const JSON_object& object)
-  {
-    return add_raw(key, object.text());
   }
 
   std::string text() const { return "{" + m_members + "}"; }

@@ -26,6 +26,9 @@
 #include <variant>
 #include <vector>
 
+namespace PM = CGAL::Polycube_meshing_3;
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 // Returns the value of a name. If the name is not in the table, the exception lists the names there; `kind` is what they name.
 template <typename Value>
 Value find_name(const std::string& kind, const std::string& name, const std::vector<std::pair<std::string, Value> >& table)
@@ -41,9 +44,9 @@ Value find_name(const std::string& kind, const std::string& name, const std::vec
 }
 
 // Energies that have no barrier receive one.
-inline CGAL::Volume_mesh_parameterization::Any_energy_3 named_energy(const std::string& name)
+inline VMP::Any_energy_3 named_energy(const std::string& name)
 {
-  using namespace CGAL::Volume_mesh_parameterization;
+  using namespace VMP;
   return find_name<Any_energy_3>("energy", name, {
     {"stretch", Stretch_energy_3()}, {"symmetric_dirichlet", Symmetric_Dirichlet_energy_3()}, {"mips", MIPS_energy_3()},
     {"arap", Barrier_energy_3<ARAP_energy_3>()}, {"dirichlet", Barrier_energy_3<Dirichlet_energy_3>()},
@@ -55,13 +58,12 @@ using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
 using Solver = std::variant<
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
-  CGAL::Volume_mesh_parameterization::CHOLMOD_solver_traits_3,
+  VMP::CHOLMOD_solver_traits_3,
 #endif
-  CGAL::Volume_mesh_parameterization::Conjugate_gradient_solver_traits_3<Concurrency_tag> >;
+  VMP::Conjugate_gradient_solver_traits_3<Concurrency_tag> >;
 
 inline Solver named_solver(const std::string& name)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   return find_name<Solver>("solver", name, {
     {"cg", VMP::Conjugate_gradient_solver_traits_3<Concurrency_tag>()},
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
@@ -70,16 +72,16 @@ inline Solver named_solver(const std::string& name)
   });
 }
 
-inline CGAL::Volume_mesh_parameterization::Boundary_mode named_boundary_mode(const std::string& name)
+inline VMP::Boundary_mode named_boundary_mode(const std::string& name)
 {
-  using CGAL::Volume_mesh_parameterization::Boundary_mode;
+  using VMP::Boundary_mode;
   return find_name<Boundary_mode>("boundary mode", name, {
     {"auto", Boundary_mode::AUTO}, {"fixed", Boundary_mode::FIXED}, {"soft", Boundary_mode::SOFT}});
 }
 
-inline CGAL::Polycube_meshing_3::Polycube_axes named_polycube_axes(const std::string& name)
+inline PM::Polycube_axes named_polycube_axes(const std::string& name)
 {
-  using CGAL::Polycube_meshing_3::Polycube_axes;
+  using PM::Polycube_axes;
   return find_name<Polycube_axes>("way to choose axes", name, {
     {"found", Polycube_axes::FOUND}, {"given", Polycube_axes::GIVEN}});
 }
@@ -87,13 +89,13 @@ inline CGAL::Polycube_meshing_3::Polycube_axes named_polycube_axes(const std::st
 // Where the program may add vertices, by the parameter of the library and by make_parameterizable().
 struct Refinement
 {
-  CGAL::Volume_mesh_parameterization::Refinement_mode mode;
+  VMP::Refinement_mode mode;
   bool splits_all_bridges = false;
 };
 
 inline Refinement named_refinement(const std::string& name)
 {
-  using CGAL::Volume_mesh_parameterization::Refinement_mode;
+  using VMP::Refinement_mode;
   return find_name<Refinement>("refinement", name, {
     {"none", {Refinement_mode::NONE}}, {"needed", {Refinement_mode::NEEDED}}, {"helpful", {Refinement_mode::HELPFUL}},
     {"boundary", {Refinement_mode::BOUNDARY}}, {"all", {Refinement_mode::BOUNDARY, true}}});

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 // Exception that ends the program before there is a map.
 struct Interruption {};
 
@@ -73,9 +75,8 @@ public:
   // Returns the limit for the computations that follow.
   double seconds_left() const { return (std::max)(0., m_time_limit - seconds()); }
 
-  bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step)
+  bool after_step(const VMP::Parameterization_step& step)
   {
-    namespace VMP = CGAL::Volume_mesh_parameterization;
     std::ostringstream text;
     if(step.kind == VMP::Step_kind::ROUND)
     {
@@ -101,7 +102,7 @@ public:
 
   void finish() const { show(""); }
 
-  const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps() const { return m_steps; }
+  const std::vector<VMP::Parameterization_step>& steps() const { return m_steps; }
 
 private:
   // The second time, the default action follows.
@@ -109,7 +110,7 @@ private:
   {
     if(is_end_requested != 0)
     {
-      CGAL::Volume_mesh_parameterization::IO::Output_file::remove_unfinished();
+      VMP::IO::Output_file::remove_unfinished();
       signal(number, SIG_DFL);
       raise(number);
     }
@@ -123,7 +124,7 @@ private:
   mutable double m_seconds_of_text = 0, m_seconds_of_time = 0; // when it was shown first, and the time after it last
   double m_time_limit; // in seconds, from the beginning of the program
   CGAL::Real_timer m_timer;
-  std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step> m_steps;
+  std::vector<VMP::Parameterization_step> m_steps;
 };
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_PROGRESS_LINE_H

@@ -29,18 +29,17 @@ struct Outcome
 {
   Exit_code exit_code;
   std::string status_code; // the name of the result's status, or of what was thrown
-  CGAL::Volume_mesh_parameterization::Parameterization_result result;
+  VMP::Parameterization_result result;
   std::vector<std::string> files = {};                          // names of files that are written
   double seconds_reading = 0, seconds_boundary = 0, seconds_hexahedra = 0;
-  std::size_t number_of_coinciding_points = 0, number_of_merged_points = 0, number_of_turned_cells = 0;
-  std::size_t number_of_tangled_cells = 0, number_of_separated_vertices = 0;
+  Repairs repairs = {};
   std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
   // vertices of the boundary: free, in planes, on lines, at targets, on surfaces, on curves
   std::array<std::size_t, 6> numbers_of_conditions = {};
-  std::optional<CGAL::Polycube_meshing_3::Polycube_result> polycube = {};
-  std::optional<CGAL::Volume_mesh_parameterization::Surface_fit_3> surface_fit = {};
+  std::optional<PM::Polycube_result> polycube = {};
+  std::optional<VMP::Surface_fit_3> surface_fit = {};
   // if hexahedra were to be made, and there was a map to make them of
-  std::optional<CGAL::Polycube_meshing_3::Hexahedral_mesh_result> hexahedra = {};
+  std::optional<PM::Hexahedral_mesh_result> hexahedra = {};
 };
 
 // A sentence of the library with the options of the program in place of the parameters of the function.
@@ -61,10 +60,10 @@ inline std::size_t peak_memory_bytes()
   return 1024 * static_cast<std::size_t>(usage.ru_maxrss);
 }
 
-inline JSON_object json(const std::vector<CGAL::Volume_mesh_parameterization::Parameterization_step>& steps)
+inline JSON_object json(const std::vector<VMP::Parameterization_step>& steps)
 {
   std::vector<double> energy, inverted_cells, seconds;
-  for(const CGAL::Volume_mesh_parameterization::Parameterization_step& step : steps)
+  for(const VMP::Parameterization_step& step : steps)
   {
     energy.push_back(step.energy);
     inverted_cells.push_back(static_cast<double>(step.number_of_inverted_cells));
@@ -97,25 +96,25 @@ inline JSON_object json(const Options& options)
                       .add("time_limit", options.time_limit);
 }
 
-inline void print(const CGAL::Polycube_meshing_3::Hexahedral_mesh_result& result)
+inline void print(const PM::Hexahedral_mesh_result& result)
 {
   std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << "; largest distance of the boundaries " << result.boundary_distance
             << "\n";
   if(result.volumes.size() > 1)
   {
-    for(const CGAL::Polycube_meshing_3::Subdomain_volumes& volumes : result.volumes)
+    for(const PM::Subdomain_volumes& volumes : result.volumes)
       std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra "
                 << volumes.of_hexahedra << "\n";
     std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
   }
-  const std::string success = CGAL::Volume_mesh_parameterization::get_error_message(CGAL::Volume_mesh_parameterization::OK);
-  if(result.status == CGAL::Volume_mesh_parameterization::OK && result.message.size() > success.size())
+  const std::string success = VMP::get_error_message(VMP::OK);
+  if(result.status == VMP::OK && result.message.size() > success.size())
     std::cout << result.message.substr(success.size() + 1) << "\n"; // sentences on interfaces
 }
 
 // The table of patches, a list for each column; centers and normals have three numbers for each patch.
-inline JSON_object json(const std::vector<CGAL::Polycube_meshing_3::Hexahedral_mesh_patch>& patches)
+inline JSON_object json(const std::vector<PM::Hexahedral_mesh_patch>& patches)
 {
   std::vector<double> references, quadrangles, areas, centers, normals;
   for(const auto& patch : patches)
@@ -130,10 +129,10 @@ inline JSON_object json(const std::vector<CGAL::Polycube_meshing_3::Hexahedral_m
                       .add("centers", centers).add("normals", normals);
 }
 
-inline JSON_object json(const CGAL::Polycube_meshing_3::Hexahedral_mesh_result& result)
+inline JSON_object json(const PM::Hexahedral_mesh_result& result)
 {
   std::vector<double> subdomains, of_tetrahedra, of_hexahedra;
-  for(const CGAL::Polycube_meshing_3::Subdomain_volumes& volumes : result.volumes)
+  for(const PM::Subdomain_volumes& volumes : result.volumes)
   {
     subdomains.push_back(volumes.reference);
     of_tetrahedra.push_back(volumes.of_tetrahedra);
@@ -163,9 +162,9 @@ inline std::string list(const std::vector<std::string>& names)
 }
 
 // Prints what the message of a map adds to success, and which output may lack its source.
-inline void print_notes(const Options& options, const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
+inline void print_notes(const Options& options, const VMP::Parameterization_result& result)
 {
-  const std::string success = CGAL::Volume_mesh_parameterization::get_error_message(CGAL::Volume_mesh_parameterization::OK);
+  const std::string success = VMP::get_error_message(VMP::OK);
   if(result.message.size() > success.size())
     std::cerr << "note: " << options.source << ":" << result.message.substr(success.size()) << std::endl;
   if(result.number_of_added_vertices > 0 && !options.output.empty() && extension_of(options.output) != ".vtu"
@@ -181,12 +180,12 @@ inline void print_end(const Outcome& outcome)
   std::cout << "seconds: reading " << outcome.seconds_reading << ", boundary " << outcome.seconds_boundary << ", map "
             << outcome.result.seconds_total << ", hexahedra " << outcome.seconds_hexahedra << "\n";
   std::cout << (outcome.files.empty() ? "No file is written; -o FILE writes the map" : "Written: " + list(outcome.files)) << "\n";
-  if(outcome.exit_code == SUCCESS && outcome.result.status == CGAL::Volume_mesh_parameterization::OK)
+  if(outcome.exit_code == SUCCESS && outcome.result.status == VMP::OK)
     std::cout << "Success\n";
 }
 
 // Adds the rotation of the source into the axes of a polycube, by rows, and which sharp edges it gives up.
-inline void add(JSON_object& report, const CGAL::Polycube_meshing_3::Polycube_result& polycube)
+inline void add(JSON_object& report, const PM::Polycube_result& polycube)
 {
   std::vector<double> rotation, points;
   for(const std::array<double, 3>& row : polycube.rotation)
@@ -199,14 +198,14 @@ inline void add(JSON_object& report, const CGAL::Polycube_meshing_3::Polycube_re
         .add("features_given_up", points);
 }
 
-inline JSON_object json(const CGAL::Volume_mesh_parameterization::Surface_fit_3& fit)
+inline JSON_object json(const VMP::Surface_fit_3& fit)
 {
   return JSON_object().add("distance_to_surface", fit.largest_distance_to_surface)
                       .add("distance_from_surface", fit.largest_distance_from_surface)
                       .add("turned_facets", fit.number_of_turned_facets).add("intersections", fit.number_of_intersections);
 }
 
-inline void print(const CGAL::Volume_mesh_parameterization::Surface_fit_3& fit)
+inline void print(const VMP::Surface_fit_3& fit)
 {
   std::cout << "boundary: vertices are at most " << fit.largest_distance_to_surface << " away from the surface, and the surface "
             << fit.largest_distance_from_surface << " from the boundary; "
@@ -214,10 +213,41 @@ inline void print(const CGAL::Volume_mesh_parameterization::Surface_fit_3& fit)
             << counted(fit.number_of_intersections, "pair of facets intersects", "pairs of facets intersect") << "\n";
 }
 
+// Prints the result of a map.
+inline void print(const Options& options, const Outcome& outcome)
+{
+  print(outcome.result);
+  if(options.do_improve)
+    std::cout << counted(outcome.repairs.number_of_tangled_cells, "cell was", "cells were") << " inverted or flat\n";
+  const auto inside = [](const std::size_t number)
+  { return counted(number, "target of an interior vertex is", "targets of interior vertices are"); };
+  if(outcome.number_of_targets_inside > 0)
+    std::cout << inside(outcome.number_of_targets_inside) << " met\n";
+  if(outcome.number_of_missed_targets > 0)
+    std::cout << inside(outcome.number_of_missed_targets) << " missed\n";
+  const auto& [free, in_planes, on_lines, at_targets, on_surfaces, on_curves] = outcome.numbers_of_conditions;
+  if(free + in_planes + on_lines + on_surfaces + on_curves > 0)
+  {
+    std::cout << "boundary vertices: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
+              << " on lines, " << free << " free";
+    if(on_surfaces + on_curves > 0)
+      std::cout << ", " << on_surfaces << " on surfaces, " << on_curves << " on curves";
+    std::cout << "\n";
+  }
+  if(outcome.result.boundary_crosses_itself)
+    std::cout << "the image of the free boundary intersects itself\n";
+  if(outcome.number_of_free_targets > 0)
+    std::cout << inside(outcome.number_of_free_targets) << " ignored; --inside met prescribes them\n";
+  if(outcome.surface_fit)
+    print(*outcome.surface_fit);
+  if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
+    print(*outcome.hexahedra);
+}
+
 // Without a map, bad input has nothing but its message and the options.
 inline void write_report(const Options& options, const Outcome& outcome, Progress_line& progress)
 {
-  const CGAL::Volume_mesh_parameterization::Parameterization_result& result = outcome.result;
+  const VMP::Parameterization_result& result = outcome.result;
   JSON_object report;
   report.add("status", result.message)
         .add("status_code", outcome.status_code)
@@ -227,11 +257,11 @@ inline void write_report(const Options& options, const Outcome& outcome, Progres
   if(outcome.exit_code != BAD_INPUT || result.has_valid_map)
   {
     add(report, result);
-    report.add("coinciding_points", outcome.number_of_coinciding_points)
-          .add("merged_points", outcome.number_of_merged_points)
-          .add("turned_cells", outcome.number_of_turned_cells)
-          .add("tangled_cells", outcome.number_of_tangled_cells)
-          .add("separated_vertices", outcome.number_of_separated_vertices)
+    report.add("coinciding_points", outcome.repairs.number_of_coinciding_points)
+          .add("merged_points", outcome.repairs.number_of_merged_points)
+          .add("turned_cells", outcome.repairs.number_of_turned_cells)
+          .add("tangled_cells", outcome.repairs.number_of_tangled_cells)
+          .add("separated_vertices", outcome.repairs.number_of_separated_vertices)
           .add("targets_inside", outcome.number_of_targets_inside)
           .add("missed_targets", outcome.number_of_missed_targets)
           .add("free_targets", outcome.number_of_free_targets)
@@ -249,7 +279,7 @@ inline void write_report(const Options& options, const Outcome& outcome, Progres
     report.add("steps", json(progress.steps())).add("peak_memory_bytes", peak_memory_bytes());
   }
 
-  CGAL::Volume_mesh_parameterization::IO::Output_file file(options.report);
+  VMP::IO::Output_file file(options.report);
   file.stream() << report.text() << "\n";
   file.commit(CGAL::parameters::visitor(std::ref(progress)));
 }

@@ -9,11 +9,12 @@
 #include <iostream>
 #include <stdexcept>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 enum Exit_code { SUCCESS = 0, NOT_AS_ASKED = 1, BAD_INPUT = 2, NOT_FLIP_FREE = 3 };
 
-inline Exit_code exit_code(const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
+inline Exit_code exit_code(const VMP::Parameterization_result& result)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   if(result.has_valid_map)
     return result.boundary_residual == 0 && result.status != VMP::ERROR_ANGLE_BOUND_NOT_REACHED
         && result.status != VMP::ERROR_LINEAR_SOLVER_FAILED ? SUCCESS : NOT_AS_ASKED;
@@ -33,9 +34,8 @@ inline void flush_standard_output()
     throw std::runtime_error("the standard output cannot be written");
 }
 
-inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Error_code code)
+inline const char* error_code_name(const VMP::Error_code code)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   switch(code)
   {
     case VMP::OK: return "OK";
@@ -76,9 +76,9 @@ inline const char* error_code_name(const CGAL::Volume_mesh_parameterization::Err
   return "";
 }
 
-inline void print(const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
+inline void print(const VMP::Parameterization_result& result)
 {
-  const CGAL::Volume_mesh_parameterization::Distortion_3& d = result.distortion_at_source_volume;
+  const VMP::Distortion_3& d = result.distortion_at_source_volume;
   std::cout << result.number_of_cells << " cells, " << result.number_of_vertices << " vertices, "
             << result.number_of_boundary_vertices << " on the boundary\n"
             << result.number_of_iterations << " iterations in " << result.seconds_total << " s, "
@@ -88,13 +88,13 @@ inline void print(const CGAL::Volume_mesh_parameterization::Parameterization_res
             << " (of the map scaled to the volume of the source)\n";
 }
 
-inline JSON_object json(const CGAL::Volume_mesh_parameterization::Distortion_3& d)
+inline JSON_object json(const VMP::Distortion_3& d)
 {
   return JSON_object().add("angle_mean", d.angle_mean).add("angle_max", d.angle_max)
                       .add("volume_mean", d.volume_mean).add("volume_max", d.volume_max);
 }
 
-inline void add(JSON_object& report, const CGAL::Volume_mesh_parameterization::Parameterization_result& result)
+inline void add(JSON_object& report, const VMP::Parameterization_result& result)
 {
   report.add("vertices", result.number_of_vertices)
         .add("cells", result.number_of_cells)

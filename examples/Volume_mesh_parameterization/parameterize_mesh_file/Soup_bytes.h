@@ -13,24 +13,26 @@
 #include <utility>
 #include <vector>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 // Appends values to bytes, or restores them from bytes in the same order.
 class Soup_bytes
 {
 public:
-  explicit Soup_bytes(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup) : m_does_restore(false) { add_all(soup); }
+  explicit Soup_bytes(VMP::Tetrahedron_soup_3& soup) : m_does_restore(false) { add_all(soup); }
   explicit Soup_bytes(std::string bytes) : m_does_restore(true), m_bytes(std::move(bytes)) {}
 
   const std::string& bytes() const { return m_bytes; }
 
-  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 restored()
+  VMP::Tetrahedron_soup_3 restored()
   {
-    CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+    VMP::Tetrahedron_soup_3 soup;
     add_all(soup);
     return soup;
   }
 
 private:
-  void add_all(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+  void add_all(VMP::Tetrahedron_soup_3& soup)
   {
     add(soup.points);
     add(soup.cells);
@@ -56,7 +58,7 @@ private:
       soup.group_names[{ groups[i][0], groups[i][1] }] = names[i];
   }
 
-  void add(CGAL::Volume_mesh_parameterization::Data_array_3& array)
+  void add(VMP::Data_array_3& array)
   {
     add(array.name);
     copy(&array.number_of_components, 1);
@@ -95,7 +97,7 @@ private:
   }
 
   [[noreturn]] static void fail()
-  { throw CGAL::Volume_mesh_parameterization::Input_error("the process that reads it returns no mesh"); }
+  { throw VMP::Input_error("the process that reads it returns no mesh"); }
 
   bool m_does_restore;
   std::string m_bytes;

@@ -43,12 +43,12 @@ struct Target_points
 {
   Points points; // not numbers for a vertex without a target
   // Unless the boundary is free, its vertices without a condition slide, or are at their targets.
-  std::vector<CGAL::Volume_mesh_parameterization::Vertex_condition_3> conditions;
+  std::vector<VMP::Vertex_condition_3> conditions;
   bool is_boundary_free = false;
   std::vector<std::size_t> inside = {}; // vertices inside that are to meet their targets
 };
 
-using Condition = CGAL::Volume_mesh_parameterization::Vertex_condition_3;
+using Condition = VMP::Vertex_condition_3;
 
 inline bool has_target(const Points& points, const std::size_t v) { return !std::isnan(points[v][0]); }
 
@@ -61,7 +61,7 @@ inline void displace(const Points& points, Points& displacements)
 }
 
 // Vertices whose cells have several references, as those between two materials.
-inline std::vector<char> vertices_of_interfaces(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline std::vector<char> vertices_of_interfaces(const VMP::Tetrahedron_soup_3& soup)
 {
   constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
   std::vector<std::size_t> first_cells(soup.points.size(), none);
@@ -77,15 +77,15 @@ inline std::vector<char> vertices_of_interfaces(const CGAL::Volume_mesh_paramete
 }
 
 // Returns whether each vertex of a cell has a target, as in a copy of the mesh.
-inline bool has_all_targets(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Points& targets)
+inline bool has_all_targets(const VMP::Tetrahedron_soup_3& soup, const Points& targets)
 {
   return std::all_of(soup.cells.begin(), soup.cells.end(), [&](const auto& cell)
   { return std::all_of(cell.begin(), cell.end(), [&](const std::size_t v) { return has_target(targets, v); }); });
 }
 
 // Returns the vertices that meet their targets if they are inside.
-inline std::vector<char> vertices_to_meet(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
-                                          const Points& targets, const bool are_interfaces_alone)
+inline std::vector<char> vertices_to_meet(const VMP::Tetrahedron_soup_3& soup, const Points& targets,
+                                          const bool are_interfaces_alone)
 {
   if(are_interfaces_alone)
     return vertices_of_interfaces(soup);
@@ -97,11 +97,11 @@ inline std::vector<char> vertices_to_meet(const CGAL::Volume_mesh_parameterizati
 }
 
 // Finds what vertices on the boundary may do if no line is about them. There, vertices need not be met.
-inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, const Options& options,
+inline void complete_boundary(const VMP::Tetrahedron_soup_3& soup, const Options& options,
                               Target_points& target, std::vector<char>& is_met)
 {
   const Others others = named_others(options.others);
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
   {
     is_met[v] = false;
     const bool is_given = has_target(target.points, v), stays = others == Others::MISSING || others == Others::STAY;
@@ -116,7 +116,7 @@ inline void complete_boundary(const CGAL::Volume_mesh_parameterization::Tetrahed
 // moved inside: otherwise only the boundary of the copy was moved.
 inline Target_points target_points(const Source& source, Points points, const Options& options)
 {
-  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup = source.soup;
+  const VMP::Tetrahedron_soup_3& soup = source.soup;
   const Others others = named_others(options.others);
   Target_points result = { std::move(points), std::vector<Condition>(soup.points.size()),
                            !options.conditions.empty() || others == Others::FREE };
@@ -150,8 +150,8 @@ inline Target_points target_points(const Source& source, Points points, const Op
 inline bool read_conditions(const Source& source, const Options& options, Progress_line& progress, Target_points& target)
 {
   const auto vertices_of_index = [&](const std::size_t index) { return source.vertices_of(index); };
-  if(!CGAL::Volume_mesh_parameterization::IO::read_vertex_conditions(options.conditions, source.soup, vertices_of_index,
-       target.conditions, target.points, CGAL::parameters::visitor(std::ref(progress))))
+  if(!VMP::IO::read_vertex_conditions(options.conditions, source.soup, vertices_of_index, target.conditions, target.points,
+                                      CGAL::parameters::visitor(std::ref(progress))))
     return false;
   const auto is_freed = [&](const std::size_t v) { return target.conditions[v].kind() != Condition::AT_TARGET; };
   target.inside.erase(std::remove_if(target.inside.begin(), target.inside.end(), is_freed), target.inside.end());
@@ -159,7 +159,7 @@ inline bool read_conditions(const Source& source, const Options& options, Progre
 }
 
 // Keeps the boundary where it is, and inside interfaces and the vertices of triangles.
-inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline Target_points targets_to_improve(const VMP::Tetrahedron_soup_3& soup)
 {
   Target_points result = { soup.points, std::vector<Condition>(soup.points.size()) };
   const std::vector<char> is_at_interface = vertices_of_interfaces(soup);
@@ -169,19 +169,17 @@ inline Target_points targets_to_improve(const CGAL::Volume_mesh_parameterization
   for(const auto& facet : soup.facets)
     for(const std::size_t v : facet)
       result.conditions[v] = Condition::at_target();
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
     result.conditions[v] = Condition::free(); // it may slide
   return result;
 }
 
 // The library names a boundary vertex without a target by its place; with a file, it has a number.
-inline void name_missing_target(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
-                                const Target_points& target)
+inline void name_missing_target(const Options& options, const VMP::Tetrahedron_soup_3& mesh, const Target_points& target)
 {
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(mesh.points, mesh.cells))
+  for(const std::size_t v : VMP::boundary_vertices(mesh.points, mesh.cells))
     if(!has_target(target.points, v) && !(target.is_boundary_free && target.conditions[v].kind() == Condition::FREE))
-      throw CGAL::Volume_mesh_parameterization::Input_error(
-        (options.target.empty() ? options.conditions : options.target) + ": vertex " + std::to_string(v)
+      throw VMP::Input_error((options.target.empty() ? options.conditions : options.target) + ": vertex " + std::to_string(v)
         + " (counted from 0) is on the boundary of the source, but has no target"
         + (options.conditions.empty() ? "" : " and no condition")
         + ". --others stay keeps the positions of such vertices; --others "
@@ -205,13 +203,12 @@ inline std::size_t number_of_free_targets(const Target_points& target, const Poi
 }
 
 // Counts the vertices of a free boundary that have each condition, in the order of its kinds.
-inline std::array<std::size_t, 6> numbers_of_conditions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup,
-                                                        const Target_points& target)
+inline std::array<std::size_t, 6> numbers_of_conditions(const VMP::Tetrahedron_soup_3& soup, const Target_points& target)
 {
   std::array<std::size_t, 6> result = {};
   if(!target.is_boundary_free)
     return result;
-  for(const std::size_t v : CGAL::Volume_mesh_parameterization::boundary_vertices(soup.points, soup.cells))
+  for(const std::size_t v : VMP::boundary_vertices(soup.points, soup.cells))
     if(v < target.conditions.size()) // not one of refinement
       ++result[target.conditions[v].kind()];
   return result;

@@ -19,6 +19,8 @@
 #include <sstream>
 #include <string>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 // The first error and the first warning of VTK.
 struct VTK_messages
 {
@@ -40,9 +42,8 @@ inline void keep_message(vtkObject*, const unsigned long event, void* const mess
     first = sentence;
 }
 
-inline void read_by_VTK(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline void read_by_VTK(const std::string& filename, VMP::Tetrahedron_soup_3& soup)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   static VTK_messages messages;
   vtkNew<vtkCallbackCommand> observer;
   observer->SetClientData(&messages);

@@ -50,14 +50,14 @@ inline std::array<std::size_t, 8> corners_of_box(const Landmarks& landmarks)
 // Ball or box with its landmarks; a model of `BoundaryParameterizer_3`.
 struct Ball_or_box
 {
-  using Ball = CGAL::Volume_mesh_parameterization::Ball_boundary_parameterizer_3;
-  using Box = CGAL::Volume_mesh_parameterization::Cube_boundary_parameterizer_3;
+  using Ball = VMP::Ball_boundary_parameterizer_3;
+  using Box = VMP::Cube_boundary_parameterizer_3;
 
   std::variant<Ball, Box> domain;
   Landmarks landmarks = {};
 
   template <typename Cells, typename NamedParameters = CGAL::parameters::Default_named_parameters>
-  CGAL::Volume_mesh_parameterization::Error_code
+  VMP::Error_code
   parameterize(const Points& points, const Cells& cells, Points& targets, const NamedParameters& np = NamedParameters()) const
   {
     if(landmarks.empty())
@@ -68,15 +68,14 @@ struct Ball_or_box
   }
 };
 
-using Polycube = CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3;
-using Surface_fit = CGAL::Volume_mesh_parameterization::Surface_fit_boundary_parameterizer_3;
+using Polycube = PM::Polycube_boundary_parameterizer_3;
+using Surface_fit = VMP::Surface_fit_boundary_parameterizer_3;
 using Boundary_parameterizer = std::variant<Ball_or_box, Polycube, Surface_fit>;
 
 inline bool is_surface_domain(const std::string& domain) { return format_of(domain) == Mesh_format::SURFACE; }
 
 // `points` are those of the mesh, whose vertices are landmarks.
-inline Surface_fit surface_fit(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& surface, const Landmarks& landmarks,
-                               const Points& points)
+inline Surface_fit surface_fit(const VMP::Tetrahedron_soup_3& surface, const Landmarks& landmarks, const Points& points)
 {
   std::vector<std::pair<std::array<double, 3>, std::array<double, 3> > > pairs;
   for(const auto& [v, p] : landmarks)
@@ -112,9 +111,7 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
 }
 
 // None if the name of the file is empty.
-inline Landmarks landmarks_of_file(const std::string& filename,
-                                   const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
-                                   Progress_line& progress)
+inline Landmarks landmarks_of_file(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   Landmarks landmarks;
   if(filename.empty())
@@ -129,9 +126,8 @@ inline Landmarks landmarks_of_file(const std::string& filename,
 
 // Returns the place where the boundary is no manifold, and the remedy: copies of vertices, unless facets join all cells around
 // each vertex.
-inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 mesh)
+inline std::string message_of_non_manifold(VMP::Tetrahedron_soup_3 mesh)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const std::vector<std::size_t> vertices = VMP::non_manifold_boundary_vertices(mesh.points, mesh.cells);
   if(vertices.empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY);
@@ -151,10 +147,8 @@ inline std::string message_of_non_manifold(CGAL::Volume_mesh_parameterization::T
 }
 
 // Says why the boundary has no map onto a domain.
-inline std::string message_of_domain(const std::string& domain, const CGAL::Volume_mesh_parameterization::Error_code status,
-                                     const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
+inline std::string message_of_domain(const std::string& domain, const VMP::Error_code status, const VMP::Tetrahedron_soup_3& mesh)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   return "the boundary cannot be mapped to '" + domain + "': "
     + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : VMP::get_error_message(status))
     + (status == VMP::ERROR_BOUNDARY_NOT_OF_GENUS_ZERO && domain != "polycube"

@@ -18,11 +18,9 @@
 
 inline void check_number_of_threads(const Options& options)
 {
-  if(options.number_of_threads < 1)
-    throw std::runtime_error("the number of threads must be positive");
+  refuse_if(options.number_of_threads < 1, "the number of threads must be positive");
 #ifndef CGAL_LINKED_WITH_TBB
-  if(options.number_of_threads > 1)
-    throw std::runtime_error("this program was built without TBB, and has only one thread");
+  refuse_if(options.number_of_threads > 1, "this program was built without TBB, and has only one thread");
 #endif
   if(const std::size_t number = number_of_threads(options);
      static_cast<std::size_t>(options.number_of_threads) > number && !options.is_quiet)
@@ -57,20 +55,19 @@ inline bool writes_to_standard_output(const Options& options)
 
 inline void check_cells(const Options& options)
 {
-  if(!(options.cell_size >= 0) || std::isinf(options.cell_size))
-    throw std::runtime_error("the size of cells (--cells) must be a finite number that is not negative");
-  if((options.cell_size > 0 || !options.tetrahedra.empty()) && !is_body_name(options.source))
-    throw std::runtime_error("--cells and --tetrahedra need a source that is filled, with one of the extensions "
-                             + body_extensions());
-  if(!options.tetrahedra.empty() && !Output_file::is_stream(options.tetrahedra) && !is_mesh_name(options.tetrahedra))
-    throw std::runtime_error(options.tetrahedra + ": the name of the tetrahedra must end with " + mesh_extensions);
+  refuse_if(!(options.cell_size >= 0) || std::isinf(options.cell_size),
+            "the size of cells (--cells) must be a finite number that is not negative");
+  refuse_if((options.cell_size > 0 || !options.tetrahedra.empty()) && !is_body_name(options.source),
+            "--cells and --tetrahedra need a source that is filled, with one of the extensions " + body_extensions());
+  refuse_if(!options.tetrahedra.empty() && !Output_file::is_stream(options.tetrahedra) && !is_mesh_name(options.tetrahedra),
+            options.tetrahedra + ": the name of the tetrahedra must end with " + mesh_extensions);
 }
 
 inline void check_files(const Options& options)
 {
-  if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output))
-    throw std::runtime_error(options.output + ": the name of the output must end with " + mesh_extensions + ". Convert it to "
-                             "other formats by: meshio convert map.vtu map.OTHER");
+  refuse_if(!options.output.empty() && !Output_file::is_stream(options.output) && !is_mesh_name(options.output),
+            options.output + ": the name of the output must end with " + mesh_extensions + ". Convert it to other formats by: "
+            "meshio convert map.vtu map.OTHER");
   check_roles(inputs(options), outputs(options));
 }
 
@@ -82,39 +79,28 @@ inline void check(const Options& options)
   named_refinement(options.refinement);
   if(!options.domain.empty() && !is_surface_domain(options.domain))
     named_boundary_parameterizer(options.domain, Polycube(Hexahedra_file(options.hexahedra).spacing()));
-  if(named_polycube_axes(options.polycube_axes) != CGAL::Polycube_meshing_3::Polycube_axes::FOUND
-     && options.domain != "polycube")
-    throw std::runtime_error("--polycube-axes needs --to polycube");
-  if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"))
-    throw std::runtime_error("--landmarks needs --to ball, --to cube, --to box=X,Y,Z or --to with a surface");
-  if(!options.hexahedra.empty() && (options.domain == "ball" || is_surface_domain(options.domain)))
-    throw std::runtime_error("hexahedra need a box or a polycube: use --to cube, --to box=X,Y,Z or --to polycube instead of "
-                             + options.domain);
-  if(!options.conditions.empty()
-     && (!options.domain.empty() || options.do_improve || options.do_slide || options.others == "slide"))
-    throw std::runtime_error("--conditions excludes --to, --improve, --slide and --others slide");
-  if(options.others == "free" && options.do_slide)
-    throw std::runtime_error("--slide excludes --others free; use --conditions for planes of a free boundary");
-  if(named_others(options.others) != Others::MISSING && options.target.empty() && options.conditions.empty())
-    throw std::runtime_error("--others needs TARGET or --conditions");
-  if(named_inside(options.inside) != Inside::AUTO && options.target.empty())
-    throw std::runtime_error("--inside needs TARGET");
-  if(options.are_displacements && options.target.empty())
-    throw std::runtime_error("--displacements needs TARGET");
-  if(options.are_staircases && options.hexahedra.empty())
-    throw std::runtime_error("--staircases needs --hexahedra");
-  if(options.do_improve && (!options.initial.empty() || !options.hexahedra.empty() || options.boundary == "soft"))
-    throw std::runtime_error("--improve excludes --initial, --hexahedra and --boundary soft");
-  if(options.number_of_iterations < 0)
-    throw std::runtime_error("the number of iterations must not be negative");
-  if(!(options.energy_tolerance >= 0))
-    throw std::runtime_error("the tolerance of the energy must not be negative");
-  if(!(options.maximum_angle_distortion > 2))
-    throw std::runtime_error("the bound of the distortion of angles must be larger than 2");
-  if(options.minimize_maximum_angle_distortion && std::isfinite(options.maximum_angle_distortion))
-    throw std::runtime_error("--minimize-max-angle-distortion excludes --max-angle-distortion");
-  if(!(options.time_limit >= 0))
-    throw std::runtime_error("the time limit must not be negative");
+  refuse_if(named_polycube_axes(options.polycube_axes) != PM::Polycube_axes::FOUND
+            && options.domain != "polycube", "--polycube-axes needs --to polycube");
+  refuse_if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"),
+            "--landmarks needs --to ball, --to cube, --to box=X,Y,Z or --to with a surface");
+  refuse_if(!options.hexahedra.empty() && (options.domain == "ball" || is_surface_domain(options.domain)),
+            "hexahedra need a box or a polycube: use --to cube, --to box=X,Y,Z or --to polycube instead of " + options.domain);
+  refuse_if(!options.conditions.empty()
+            && (!options.domain.empty() || options.do_improve || options.do_slide || options.others == "slide"),
+            "--conditions excludes --to, --improve, --slide and --others slide");
+  refuse_if(options.others == "free" && options.do_slide,
+            "--slide excludes --others free; use --conditions for planes of a free boundary");
+  refuse_if(named_others(options.others) != Others::MISSING && options.target.empty() && options.conditions.empty(),
+            "--others needs TARGET or --conditions");
+  refuse_if(named_inside(options.inside) != Inside::AUTO && options.target.empty(), "--inside needs TARGET");
+  refuse_if(options.are_displacements && options.target.empty(), "--displacements needs TARGET");
+  refuse_if(options.are_staircases && options.hexahedra.empty(), "--staircases needs --hexahedra");
+  refuse_if(options.do_improve && (!options.initial.empty() || !options.hexahedra.empty() || options.boundary == "soft"),
+            "--improve excludes --initial, --hexahedra and --boundary soft");
+  refuse_if(!(options.maximum_angle_distortion > 2), "the bound of the distortion of angles must be larger than 2");
+  refuse_if(options.minimize_maximum_angle_distortion && std::isfinite(options.maximum_angle_distortion),
+            "--minimize-max-angle-distortion excludes --max-angle-distortion");
+  options_of_both_programs::check_limits(options);
   check_number_of_threads(options);
   check_cells(options);
   check_files(options);

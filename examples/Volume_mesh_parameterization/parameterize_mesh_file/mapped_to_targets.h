@@ -31,8 +31,6 @@
 #include <variant>
 
 namespace params = CGAL::parameters;
-namespace PM = CGAL::Polycube_meshing_3;
-namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Result = VMP::Parameterization_result;
 
@@ -180,7 +178,7 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
 }
 
 // Says how many sharp edges a polycube gives up, and where the longest line of them is; nothing if there are none.
-inline std::string note_of_features_given_up(const CGAL::Polycube_meshing_3::Polycube_result& polycube)
+inline std::string note_of_features_given_up(const PM::Polycube_result& polycube)
 {
   if(polycube.features_given_up.empty())
     return "";

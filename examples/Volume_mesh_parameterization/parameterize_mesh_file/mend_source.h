@@ -23,22 +23,27 @@
 
 using Points = std::vector<std::array<double, 3> >;
 
+// What was found in a mesh, and mended.
+struct Repairs
+{
+  std::size_t number_of_coinciding_points = 0; // on the boundary
+  std::size_t number_of_merged_points = 0, number_of_turned_cells = 0, number_of_separated_vertices = 0;
+  std::size_t number_of_tangled_cells = 0;     // that are inverted or flat
+};
+
 // Mesh of a file, with positive cells, each once.
 struct Source
 {
-  CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+  VMP::Tetrahedron_soup_3 soup;
   // the mesh of the file, if cells have other vertices now
-  std::optional<CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3> unmended = {};
+  std::optional<VMP::Tetrahedron_soup_3> unmended = {};
   std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
   std::vector<std::size_t> origins = {};      // origin of each point that was appended
-  std::size_t number_of_coinciding_points = 0; // coinciding points on the boundary
-  std::size_t number_of_merged_points = 0;
-  std::size_t number_of_tangled_cells = 0; // cells that are inverted or flat
-  std::size_t number_of_turned_cells = 0;
+  Repairs repairs = {};
   std::vector<std::string> notes = {};
 
   // Returns the mesh that other files refer to, with the vertices and cells of its file.
-  const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
+  const VMP::Tetrahedron_soup_3& in_file() const { return unmended ? *unmended : soup; }
 
   // Returns the vertices of the mesh that a vertex of the file has become; none if there is no such vertex in the file.
   std::vector<std::size_t> vertices_of(const std::size_t v) const
@@ -62,8 +67,8 @@ struct Source
       if(std::isnan(point[0]))
         point = points[v];
       else if(!std::isnan(points[v][0]) && points[v] != point)
-        throw CGAL::Volume_mesh_parameterization::Input_error("vertices " + std::to_string(first_points[v]) + " and "
-          + std::to_string(v) + " (counted from 0) are merged, but have different points here");
+        throw VMP::Input_error("vertices " + std::to_string(first_points[v]) + " and " + std::to_string(v)
+                               + " (counted from 0) are merged, but have different points here");
     }
     for(const std::size_t v : origins)
       points.push_back(std::array<double, 3>(points[v]));
@@ -90,11 +95,10 @@ inline std::vector<std::size_t> repeated(const std::vector<std::size_t>& first)
 
 inline void merge_points(Source& source)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   source.unmended = source.soup;
   source.first_points = VMP::merge_coinciding_points(source.soup);
-  source.number_of_merged_points = repeated(source.first_points).size();
-  source.notes.push_back(counted(source.number_of_merged_points, "point has the position of another point, and is",
+  source.repairs.number_of_merged_points = repeated(source.first_points).size();
+  source.notes.push_back(counted(source.repairs.number_of_merged_points, "point has the position of another point, and is",
                                  "points have the position of another point, and are") + " merged with it");
 }
 
@@ -104,7 +108,7 @@ const std::string advice_to_improve = "--improve -o FILE moves interior vertices
 
 inline void note_turned_cells(Source& source)
 {
-  const std::size_t n = source.number_of_turned_cells, all = source.soup.cells.size();
+  const std::size_t n = source.repairs.number_of_turned_cells, all = source.soup.cells.size();
   if(n == 0)
     return;
   source.notes.push_back(n == all ? "all " + std::to_string(n) + " cells are negative and are turned. The written files have "
@@ -112,7 +116,7 @@ inline void note_turned_cells(Source& source)
                                   : std::to_string(n) + " of " + std::to_string(all) + " cells were reversed and are turned");
 }
 
-inline std::size_t number_of_tangled_cells(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline std::size_t number_of_tangled_cells(const VMP::Tetrahedron_soup_3& soup)
 {
   std::size_t result = 0;
   for(std::size_t c = 0; c < soup.cells.size(); ++c)
@@ -130,23 +134,22 @@ inline std::size_t number_of_tangled_cells(const CGAL::Volume_mesh_parameterizat
 // Turns reversed cells. Those that are flat or inverted then are counted, or refused.
 inline void turn_cells(Source& source, const bool may_be_tangled)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   try
   {
-    source.number_of_turned_cells = VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
+    source.repairs.number_of_turned_cells = VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup);
   }
   catch(const VMP::Input_error&)
   {
-    source.number_of_turned_cells = VMP::orient_tetrahedron_soup_by_facets(source.soup);
-    source.number_of_tangled_cells = number_of_tangled_cells(source.soup);
+    source.repairs.number_of_turned_cells = VMP::orient_tetrahedron_soup_by_facets(source.soup);
+    source.repairs.number_of_tangled_cells = number_of_tangled_cells(source.soup);
   }
   note_turned_cells(source);
-  if(source.number_of_tangled_cells == 0 || may_be_tangled)
+  if(source.repairs.number_of_tangled_cells == 0 || may_be_tangled)
     return;
   try { VMP::orient_tetrahedron_soup<Concurrency_tag>(source.soup); }
   catch(const VMP::Input_error& error)
   {
-    throw VMP::Input_error((source.number_of_turned_cells == 0 ? "" : source.notes.back() + "; ") + error.what() + "; "
+    throw VMP::Input_error((source.repairs.number_of_turned_cells == 0 ? "" : source.notes.back() + "; ") + error.what() + "; "
                            + advice_to_improve);
   }
 }
@@ -155,7 +158,8 @@ inline void separate(Source& source)
 {
   if(!source.unmended)
     source.unmended = source.soup;
-  source.origins = CGAL::Volume_mesh_parameterization::separate_pinched_vertices(source.soup);
+  source.origins = VMP::separate_pinched_vertices(source.soup);
+  source.repairs.number_of_separated_vertices = source.origins.size();
   source.notes.push_back(source.origins.empty()
     ? "there are no parts to separate, because facets join the cells around each vertex"
     : counted(source.origins.size(), "vertex was", "vertices were") + " added to separate parts of the body");
@@ -164,7 +168,6 @@ inline void separate(Source& source)
 // Leaves out cells with the vertices of one before them. Numbers of cells in messages do not count them.
 inline void merge_cells(Source& source)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   VMP::Tetrahedron_soup_3 merged = source.soup;
   if(repeated(VMP::merge_coinciding_cells<Concurrency_tag>(merged)).empty())
     return;
@@ -178,7 +181,6 @@ inline void merge_cells(Source& source)
 // points coincide, as this takes far longer.
 inline void count_coinciding_points(Source& source)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const auto first_at_points = [](const Points& points)
   {
     VMP::Tetrahedron_soup_3 of_points;
@@ -192,7 +194,7 @@ inline void count_coinciding_points(Source& source)
   for(const std::size_t v : vertices)
     points.push_back(source.soup.points[v]);
   const std::vector<std::size_t> first = first_at_points(points), others = repeated(first);
-  source.number_of_coinciding_points = others.size();
+  source.repairs.number_of_coinciding_points = others.size();
   if(!others.empty())
     source.notes.push_back(counted(others.size(), "vertex of the boundary has", "vertices of the boundary have")
       + " the position of another one. For example, vertex " + std::to_string(vertices[others.back()])
@@ -200,7 +202,7 @@ inline void count_coinciding_points(Source& source)
         "body is torn there; --merge-points joins it");
 }
 
-inline Source mended_source(CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup, const Options& options)
+inline Source mended_source(VMP::Tetrahedron_soup_3 soup, const Options& options)
 {
   Source source = { std::move(soup) };
   source.notes = source.soup.notes;

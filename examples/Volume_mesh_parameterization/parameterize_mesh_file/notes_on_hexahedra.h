@@ -14,8 +14,7 @@
 #include <iostream>
 #include <vector>
 
-inline double volume(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
-                     const std::vector<std::array<double, 3> >& points)
+inline double volume(const VMP::Tetrahedron_soup_3& mesh, const std::vector<std::array<double, 3> >& points)
 {
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   const auto point = [&](const std::size_t v) { return Point_3(points[v][0], points[v][1], points[v][2]); };
@@ -27,7 +26,7 @@ inline double volume(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_
 
 // Notes what is to be expected of the hexahedra of a map: poor ones, if it distorts angles much, and many, if a polycube is much
 // larger than the body.
-inline void note_on_hexahedra(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+inline void note_on_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
                               const std::vector<std::array<double, 3> >& images, const double distortion, Progress_line& progress)
 {
   constexpr double hopeless_distortion = 1000; // a guess; ten times that of bodies with good hexahedra
@@ -47,12 +46,12 @@ inline void note_on_hexahedra(const Options& options, const CGAL::Volume_mesh_pa
 }
 
 // Notes each name of a group that the format of Abaqus cannot hold: the old one, and the new one.
-inline void note_changed_names(const Options& options, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh)
+inline void note_changed_names(const Options& options, const VMP::Tetrahedron_soup_3& mesh)
 {
   const std::string filename = Hexahedra_file(options.hexahedra).name();
   if(options.is_quiet || extension_of(filename) != ".inp")
     return;
-  for(const auto& [group, name] : CGAL::Polycube_meshing_3::IO::names_in_INP(mesh.group_names))
+  for(const auto& [group, name] : PM::IO::names_in_INP(mesh.group_names))
     if(const std::string& old_name = mesh.group_names.at(group); group.first >= 2 && name != old_name)
       std::cerr << "note: " << filename << ": the group '" << old_name << "' has the name " << name << std::endl;
 }

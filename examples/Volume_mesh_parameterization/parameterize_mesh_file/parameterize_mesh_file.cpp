@@ -28,9 +28,6 @@
 #include <new>
 #include <string>
 
-namespace PM = CGAL::Polycube_meshing_3;
-namespace VMP = CGAL::Volume_mesh_parameterization;
-
 void write_mesh(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh, Progress_line& progress)
 {
   VMP::IO::Output_file file(filename);
@@ -193,11 +190,7 @@ Outcome run(const Options& options, Progress_line& progress)
   outcome.seconds_boundary = result.seconds_boundary;
   if(options.domain == "polycube" && result.number_of_cells > 0)
     outcome.polycube = mapped.polycube;
-  outcome.number_of_coinciding_points = source.number_of_coinciding_points;
-  outcome.number_of_merged_points = source.number_of_merged_points;
-  outcome.number_of_turned_cells = source.number_of_turned_cells;
-  outcome.number_of_tangled_cells = source.number_of_tangled_cells;
-  outcome.number_of_separated_vertices = source.origins.size();
+  outcome.repairs = source.repairs;
   outcome.numbers_of_conditions = numbers_of_conditions(mesh, target);
   if(!result.has_valid_map && result.status != VMP::ERROR_INTERRUPTED)
     outcome.result.message = options.source + ": " + result.message;
@@ -261,34 +254,7 @@ int main(int argc, char* argv[])
     progress.finish();
     const Result& result = outcome.result;
     if(result.has_valid_map && !options.is_quiet)
-    {
-      print(result);
-      if(options.do_improve)
-        std::cout << counted(outcome.number_of_tangled_cells, "cell was", "cells were") << " inverted or flat\n";
-      const auto inside = [](const std::size_t number)
-      { return counted(number, "target of an interior vertex is", "targets of interior vertices are"); };
-      if(outcome.number_of_targets_inside > 0)
-        std::cout << inside(outcome.number_of_targets_inside) << " met\n";
-      if(outcome.number_of_missed_targets > 0)
-        std::cout << inside(outcome.number_of_missed_targets) << " missed\n";
-      const auto& [free, in_planes, on_lines, at_targets, on_surfaces, on_curves] = outcome.numbers_of_conditions;
-      if(free + in_planes + on_lines + on_surfaces + on_curves > 0)
-      {
-        std::cout << "boundary vertices: " << at_targets << " at targets, " << in_planes << " in planes, " << on_lines
-                  << " on lines, " << free << " free";
-        if(on_surfaces + on_curves > 0)
-          std::cout << ", " << on_surfaces << " on surfaces, " << on_curves << " on curves";
-        std::cout << "\n";
-      }
-      if(result.boundary_crosses_itself)
-        std::cout << "the image of the free boundary intersects itself\n";
-      if(outcome.number_of_free_targets > 0)
-        std::cout << inside(outcome.number_of_free_targets) << " ignored; --inside met prescribes them\n";
-      if(outcome.surface_fit)
-        print(*outcome.surface_fit);
-      if(outcome.hexahedra && outcome.hexahedra->has_valid_mesh)
-        print(*outcome.hexahedra);
-    }
+      print(options, outcome);
     if(outcome.exit_code != SUCCESS || result.status != VMP::OK)
       std::cerr << result.message << std::endl;
     else if(!options.is_quiet)

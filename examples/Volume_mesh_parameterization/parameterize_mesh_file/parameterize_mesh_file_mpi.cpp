@@ -30,7 +30,6 @@
 
 namespace fs = std::filesystem;
 namespace params = CGAL::parameters;
-namespace VMP = CGAL::Volume_mesh_parameterization;
 
 using Points = std::vector<std::array<double, 3> >;
 using Result = VMP::Parameterization_result;
@@ -118,14 +117,9 @@ Result parameterize(const Options& options, const VMP::Distributed_tetrahedron_s
 void check(const Options& options)
 {
   named_energy(options.energy);
-  if(options.number_of_iterations < 0)
-    throw std::runtime_error("the number of iterations must not be negative");
-  if(!(options.energy_tolerance >= 0))
-    throw std::runtime_error("the tolerance of the energy must not be negative");
-  if(!(options.time_limit >= 0))
-    throw std::runtime_error("the time limit must not be negative");
-  if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu")
-    throw std::runtime_error(options.output + ": the name of the output does not end with .pvtu");
+  options_of_both_programs::check_limits(options);
+  refuse_if(!options.output.empty() && fs::path(options.output).extension() != ".pvtu",
+            options.output + ": the name of the output does not end with .pvtu");
   if(rank() != 0)
     return;
   std::vector<std::string> outputs = { options.report, options.output };

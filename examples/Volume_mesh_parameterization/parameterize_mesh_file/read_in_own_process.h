@@ -107,7 +107,7 @@ template <typename Read>
   std::string bytes;
   try
   {
-    CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 soup;
+    VMP::Tetrahedron_soup_3 soup;
     read(soup);
     bytes = Soup_bytes(soup).bytes();
   }
@@ -171,11 +171,10 @@ inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
 // Returns the mesh that `read(mesh)` reads from a file by a library, in a process of its own. Where the library also makes the
 // mesh, it has more time.
 template <typename Read>
-CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3
+VMP::Tetrahedron_soup_3
 read_in_own_process(const std::string& filename, const std::string& library, const Progress_line& progress, const Read& read,
                     const bool makes_mesh = false)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   std::error_code no_file;
   std::size_t size = std::filesystem::file_size(filename, no_file);
   size = no_file ? 0 : size;

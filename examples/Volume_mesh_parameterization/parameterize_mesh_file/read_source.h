@@ -32,10 +32,10 @@ auto naming(const std::string& filename, const Function& f)
   {
     return f();
   }
-  catch(const CGAL::Volume_mesh_parameterization::Input_error& error)
+  catch(const VMP::Input_error& error)
   {
     const std::string name = filename + ": ", sentence = error.what();
-    throw CGAL::Volume_mesh_parameterization::Input_error(sentence.find(name) == 0 ? sentence : name + sentence);
+    throw VMP::Input_error(sentence.find(name) == 0 ? sentence : name + sentence);
   }
 }
 
@@ -64,17 +64,15 @@ inline void check_coordinate_systems(const std::string& filename)
       system.erase(0, system.find_first_not_of(" 0"));
       system.erase(system.find_last_not_of(" \r") + 1);
       if(!system.empty())
-        throw CGAL::Volume_mesh_parameterization::Input_error(
+        throw VMP::Input_error(
           "line " + std::to_string(number) + ": the coordinate system (CP) is '" + system
           + "', but only the basic one (0 or blank) is supported. Write the points in basic coordinates");
     }
 }
 
 // Reads a mesh in the format of its name. Throws `Interruption` where the time is over.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh_by_name(const std::string& filename,
-                                                                               Progress_line& progress)
+inline VMP::Tetrahedron_soup_3 read_mesh_by_name(const std::string& filename, Progress_line& progress)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   if(is_Nastran_name(filename))
     naming(filename, [&] { check_coordinate_systems(filename); });
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
@@ -101,33 +99,28 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh_by_name(
 }
 
 // Reads a mesh, likewise. Where that fails, the content may tell more than the name.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
+inline VMP::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_line& progress)
 {
-  using CGAL::Volume_mesh_parameterization::Input_error;
   try
   {
     return read_mesh_by_name(filename, progress);
   }
-  catch(const Input_error& error)
+  catch(const VMP::Input_error& error)
   {
     const std::string sentence = sentence_on_content(filename);
-    throw Input_error(sentence.empty() ? error.what() : filename + ": " + sentence);
+    throw VMP::Input_error(sentence.empty() ? error.what() : filename + ": " + sentence);
   }
 }
 
 // Reads a surface by CGAL, whose readers take the memory that a damaged file asks for.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 read_surface(const std::string& filename,
-                                                                          const Progress_line& progress)
+inline VMP::Tetrahedron_soup_3 read_surface(const std::string& filename, const Progress_line& progress)
 {
   return naming(filename, [&]
-  {
-    return read_in_own_process(filename, "CGAL", progress, [&](auto& soup)
-                               { CGAL::Volume_mesh_parameterization::IO::read_surface(filename, soup); });
-  });
+  { return read_in_own_process(filename, "CGAL", progress, [&](auto& soup) { VMP::IO::read_surface(filename, soup); }); });
 }
 
 // Fills the body of a CAD file or of a closed surface with tetrahedra. Without Gmsh, the error has the advice.
-inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 filled_body(const Options& options, Progress_line& progress)
+inline VMP::Tetrahedron_soup_3 filled_body(const Options& options, Progress_line& progress)
 {
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
   return naming(options.source, [&]
@@ -141,13 +134,12 @@ inline CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3 filled_body(const 
 }
 
 // Says which edges would be sharp if the mesh marked none, but are not as it marks others; nothing if there are none.
-inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline std::string note_of_unmarked_edges(const VMP::Tetrahedron_soup_3& soup)
 {
   if(soup.edges.empty())
     return "";
-  using CGAL::Volume_mesh_parameterization::sharp_boundary_edges;
-  const auto sharp = sharp_boundary_edges(soup.points, soup.cells, soup.edges);
-  const auto by_angle = sharp_boundary_edges(soup.points, soup.cells);
+  const auto sharp = VMP::sharp_boundary_edges(soup.points, soup.cells, soup.edges);
+  const auto by_angle = VMP::sharp_boundary_edges(soup.points, soup.cells);
   std::vector<std::array<std::size_t, 2> > unmarked;
   std::set_difference(by_angle.begin(), by_angle.end(), sharp.begin(), sharp.end(), std::back_inserter(unmarked));
   return unmarked.empty() ? std::string()
@@ -159,12 +151,11 @@ inline std::string note_of_unmarked_edges(const CGAL::Volume_mesh_parameterizati
 inline Source read_source(const Options& options, Progress_line& progress)
 {
   auto soup = is_body_name(options.source) ? filled_body(options, progress) : read_mesh(options.source, progress);
-  naming(options.source, [&] { CGAL::Volume_mesh_parameterization::remove_false_marks(soup); });
+  naming(options.source, [&] { VMP::remove_false_marks(soup); });
   if(!options.regions.empty())
     naming(options.source, [&] { take_regions(options.regions, soup); });
   if(!options.features.empty()
-     && !CGAL::Volume_mesh_parameterization::IO::read_features(options.features, soup,
-                                                               CGAL::parameters::visitor(std::ref(progress))))
+     && !VMP::IO::read_features(options.features, soup, CGAL::parameters::visitor(std::ref(progress))))
     throw Interruption();
   Source source = naming(options.source, [&] { return mended_source(std::move(soup), options); });
   for(std::string& note : notes_of_unused_regions(source.soup))

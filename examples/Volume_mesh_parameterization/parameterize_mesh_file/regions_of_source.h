@@ -15,17 +15,18 @@
 #include <utility>
 #include <vector>
 
+namespace VMP = CGAL::Volume_mesh_parameterization;
+
 // Returns whether each cell has one integer. Some programs write integers as floating-point numbers.
-inline bool has_one_integer(const CGAL::Volume_mesh_parameterization::Data_array_3& array)
+inline bool has_one_integer(const VMP::Data_array_3& array)
 {
   const auto is_integer = [](const double x) { return std::floor(x) == x && std::abs(x) <= (std::numeric_limits<int>::max)(); };
   return array.number_of_components == 1 && std::all_of(array.values.begin(), array.values.end(), is_integer);
 }
 
 // Makes cell data the references of the cells. Names of groups of cells belong to other references, and are removed.
-inline void take_regions(const std::string& name, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline void take_regions(const std::string& name, VMP::Tetrahedron_soup_3& soup)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const auto found = std::find_if(soup.cell_data.begin(), soup.cell_data.end(), [&](const auto& array)
   { return array.name == name; });
   if(found == soup.cell_data.end())
@@ -52,11 +53,11 @@ std::size_t number_of_values(std::vector<Value> values)
 }
 
 // Returns notes on cell data that divide the subdomains further, by integers with few values.
-inline std::vector<std::string> notes_of_unused_regions(const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup)
+inline std::vector<std::string> notes_of_unused_regions(const VMP::Tetrahedron_soup_3& soup)
 {
   std::vector<std::string> result;
   const std::size_t number_of_references = number_of_values(soup.cell_references);
-  for(const CGAL::Volume_mesh_parameterization::Data_array_3& array : soup.cell_data)
+  for(const VMP::Data_array_3& array : soup.cell_data)
   {
     if(!has_one_integer(array))
       continue;

@@ -16,10 +16,9 @@
 
 // Reads the target of each point of the mesh; not numbers for points without one. `notes` say how the file is understood, if
 // there are several ways.
-inline Points targets_of_file(const std::string& filename, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& mesh,
+inline Points targets_of_file(const std::string& filename, const VMP::Tetrahedron_soup_3& mesh,
                               Progress_line& progress, std::vector<std::string>& notes)
 {
-  namespace VMP = CGAL::Volume_mesh_parameterization;
   const auto np = CGAL::parameters::visitor(std::ref(progress)).output_iterator(std::back_inserter(notes));
   const Mesh_format format = format_of(filename);
   const bool is_surface = format == Mesh_format::SURFACE, is_mesh = format == Mesh_format::GMSH || format == Mesh_format::VTK;
