@@ -55,7 +55,7 @@ private:
     return std::isfinite(x) ? os.str() : "null";
   }
 
-  // The number of bytes of a character in UTF-8; 0 if there is none. Neither surrogates nor what has a shorter form are.
+  // Returns the number of bytes of the UTF-8 character at i, or 0 if there is none. Surrogates and overlong forms are none.
   static std::size_t size_of_character(const std::string& text, const std::size_t i)
   {
     const auto byte = [&](const std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };

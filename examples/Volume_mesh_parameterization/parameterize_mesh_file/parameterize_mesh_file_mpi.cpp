@@ -129,7 +129,7 @@ void check(const Options& options)
   check_roles({ options.source, options.target }, outputs);
 }
 
-// The map, if the reading has come to its end.
+// Reads the files, makes the map and writes it. Without the files, there is no map.
 Exit_code run(const Options& options, Progress_line& progress, Result& result)
 {
   VMP::Distributed_tetrahedron_soup_3 source;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <map>
@@ -56,6 +57,41 @@ struct Tetrahedron_soup_3
   std::vector<Data_array_3> edge_data = {};                   ///< arrays with values of the edges
   std::vector<std::string> notes = {};                        ///< sentences on what the file has and the soup has not
 };
+
+namespace internal {
+
+// Calls f for each vertex of a cell, facet, edge or corner, which f may replace.
+template <typename Function>
+void for_each_vertex(Tetrahedron_soup_3& soup, const Function& f)
+{
+  const auto for_each_of = [&](auto& simplices)
+  {
+    for(auto& simplex : simplices)
+      std::for_each(simplex.begin(), simplex.end(), f);
+  };
+  for_each_of(soup.cells);
+  for_each_of(soup.facets);
+  for_each_of(soup.edges);
+  std::for_each(soup.corners.begin(), soup.corners.end(), f);
+}
+
+// Keeps the elements with some indices, which ascend, of an array with several numbers for each element.
+template <typename Values>
+void keep_elements(const std::vector<std::size_t>& kept, Values& values, const std::size_t number_of_components = 1)
+{
+  for(std::size_t k = 0; k < kept.size(); ++k)
+    for(std::size_t i = 0; i < number_of_components; ++i)
+      values[k * number_of_components + i] = values[kept[k] * number_of_components + i];
+  values.resize(kept.size() * number_of_components);
+}
+
+inline void keep_elements(const std::vector<std::size_t>& kept, std::vector<Data_array_3>& arrays)
+{
+  for(Data_array_3& array : arrays)
+    keep_elements(kept, array.values, array.number_of_components);
+}
+
+} // namespace internal
 
 } // namespace CGAL::Volume_mesh_parameterization
 

@@ -129,7 +129,7 @@ public:
     m_groups.push_back(group);
   }
 
-  // Adds what the vertices may do to what is prescribed to them, by the first of their groups. `point(v)` is that of a vertex.
+  // Adds to the prescribed position of each vertex that it slides, on behalf of the first of its groups. `point(v)` is its point.
   template <typename PointOf, typename PositionOf>
   void add_to(const PointOf& point, const PositionOf& position) const
   {

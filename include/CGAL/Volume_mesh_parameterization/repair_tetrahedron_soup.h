@@ -127,17 +127,7 @@ inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup
 {
   internal::check_simplices(soup);
   std::vector<std::size_t> first = internal::first_coinciding_points(soup.points);
-  for(std::array<std::size_t, 4>& cell : soup.cells)
-    for(std::size_t& v : cell)
-      v = first[v];
-  for(std::array<std::size_t, 3>& facet : soup.facets)
-    for(std::size_t& v : facet)
-      v = first[v];
-  for(std::array<std::size_t, 2>& edge : soup.edges)
-    for(std::size_t& v : edge)
-      v = first[v];
-  for(std::size_t& v : soup.corners)
-    v = first[v];
+  internal::for_each_vertex(soup, [&](std::size_t& v) { v = first[v]; });
   return first;
 }
 
@@ -178,17 +168,9 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
       if(references[c].size() + 1 >= i)
         soup.cell_data.back().values[c] = *std::next(references[c].begin(), static_cast<std::ptrdiff_t>(i - 2));
   }
-  const auto keep = [&](auto& values, const std::size_t number_of_components)
-  {
-    for(std::size_t k = 0; k < kept.size(); ++k)
-      for(std::size_t i = 0; i < number_of_components; ++i)
-        values[k * number_of_components + i] = values[kept[k] * number_of_components + i];
-    values.resize(kept.size() * number_of_components);
-  };
-  keep(soup.cells, 1);
-  keep(soup.cell_references, 1);
-  for(auto& array : soup.cell_data)
-    keep(array.values, array.number_of_components);
+  internal::keep_elements(kept, soup.cells);
+  internal::keep_elements(kept, soup.cell_references);
+  internal::keep_elements(kept, soup.cell_data);
   soup.notes.push_back(internal::counted(repeated.size(), "cell has the vertices of an earlier cell and is",
                                          "cells have the vertices of an earlier cell and are")
     + " left out. For example, cell " + std::to_string(repeated[0]) + " has those of cell "

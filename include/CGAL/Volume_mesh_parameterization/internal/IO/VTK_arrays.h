@@ -19,7 +19,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Decodes base64 until there are so many bytes. What is padded may be followed by more, as a header by its data.
+// Decodes the first bytes of a text in base64. Padding does not end the text, as a header may be followed by its data.
 inline std::string decoded_base64(const std::string_view text, const std::size_t number_of_bytes, const Budget& budget)
 {
   std::string result;
@@ -129,7 +129,7 @@ private:
   // Unlike std::strchr(), does not find the character 0.
   static bool is_one_of(const char c, const std::string_view characters) { return characters.find(c) != characters.npos; }
 
-  // The value of an attribute, or what stands for it.
+  // Returns the value of an attribute, or `otherwise` if the tag has none.
   static std::string attribute(const std::string_view tag, const std::string& name, const std::string& otherwise = "")
   {
     for(const char quote : { '"', '\'' })

@@ -32,7 +32,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The bytes of a block that one of VTK's compressors has made of `size` bytes.
+// Returns the `size` bytes from which one of VTK's compressors has made a block.
 inline std::string decompress(const std::string& compressor, const std::string_view block, const std::size_t size)
 {
   constexpr std::size_t largest = 1 << 30, largest_ratio = 1 << 14; // guesses: lz4 counts by int, lzma makes 1/7000 of zeros

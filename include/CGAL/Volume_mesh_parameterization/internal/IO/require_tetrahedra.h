@@ -16,8 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
-#include <limits>
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Throws `Input_error` if there is no tetrahedron. `converter` makes the file one that TetGen reads, if it is not empty.
@@ -37,42 +35,24 @@ inline void require_tetrahedra(const std::size_t number_of_cells, const std::siz
 inline std::string sentence_on_other_cells(const std::string& cells, const char* const remedy = "mesh the body by tetrahedra only")
 { return "the mesh is not tetrahedral, because it has " + cells + "; " + remedy; }
 
-// Removes the points that are no corner of a cell, facet or edge, as those on the edges of second-order cells are not, and no
-// marked one, and notes it.
+// Removes points that are no vertex of a cell, facet, edge or corner, such as mid-edge nodes of second-order cells. Adds a
+// note.
 inline void remove_nodes_of_higher_order(Tetrahedron_soup_3& soup)
 {
-  constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-  std::vector<std::size_t> indices(soup.points.size(), none);
-  const auto for_each_vertex = [&](const auto& f)
+  std::vector<bool> is_vertex(soup.points.size(), false);
+  for_each_vertex(soup, [&](const std::size_t v) { is_vertex[v] = true; });
+  std::vector<std::size_t> kept, indices(soup.points.size());
+  for(std::size_t v = 0; v < indices.size(); ++v)
   {
-    const auto of_all = [&](auto& simplices)
-    {
-      for(auto& simplex : simplices)
-        for(std::size_t& v : simplex)
-          f(v);
-    };
-    of_all(soup.cells);
-    of_all(soup.facets);
-    of_all(soup.edges);
-    std::for_each(soup.corners.begin(), soup.corners.end(), f);
-  };
-  for_each_vertex([&](const std::size_t v) { indices[v] = 0; });
-  std::size_t number_of_points = 0;
-  for(std::size_t& index : indices)
-    index = index == none ? none : number_of_points++;
-  const auto move_entries = [&](auto& values, const std::size_t number_of_components)
-  {
-    for(std::size_t v = 0; v < indices.size(); ++v)
-      for(std::size_t i = 0; i < number_of_components && indices[v] != none; ++i)
-        values[indices[v] * number_of_components + i] = values[v * number_of_components + i];
-    values.resize(number_of_points * number_of_components);
-  };
+    indices[v] = kept.size();
+    if(is_vertex[v])
+      kept.push_back(v);
+  }
   soup.notes.push_back("the mesh has cells of a higher order. Only their corners are used; "
-                       + counted(indices.size() - number_of_points, "other point is", "other points are") + " left out");
-  move_entries(soup.points, 1);
-  for(Data_array_3& array : soup.point_data)
-    move_entries(array.values, array.number_of_components);
-  for_each_vertex([&](std::size_t& v) { v = indices[v]; });
+                       + counted(indices.size() - kept.size(), "other point is", "other points are") + " left out");
+  keep_elements(kept, soup.points);
+  keep_elements(kept, soup.point_data);
+  for_each_vertex(soup, [&](std::size_t& v) { v = indices[v]; });
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

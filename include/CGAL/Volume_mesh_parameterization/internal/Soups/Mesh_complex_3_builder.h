@@ -66,11 +66,7 @@ private:
   void add_vertices()
   {
     using Point_3 = typename Triangulation::Geom_traits::Point_3;
-    std::vector<bool> is_used(m_soup.points.size(), false);
-    for(const std::array<std::size_t, 4>& cell : m_soup.cells)
-      for(const std::size_t v : cell)
-        is_used[v] = true;
-
+    const std::vector<bool> is_used = used_points(m_soup.cells, m_soup.points.size());
     m_vertices.assign(m_soup.points.size(), Vertex_handle());
     for(std::size_t v = 0; v < m_vertices.size(); ++v)
       if(is_used[v])

@@ -40,20 +40,20 @@ public:
   const Newton_iterate_3& iterate() const { return m_iterate; }
   bool is_relaxing() const { return m_relaxations_left > 0; } // then the evaluation is for the temporary target
 
-  // The status with which to end, if it is time.
+  // Takes a step. Returns the status with which to end, or none to go on.
   std::optional<Error_code> step()
   {
     if(is_relaxing())
       return relax();
-    bool has_moved = move_with_hessian(relaxes());
-    if(relaxes() && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
+    bool has_moved = move_with_hessian(may_relax());
+    if(may_relax() && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
     {
       begin_relaxation();
       return relax();
     }
-    if(!has_moved && (relaxes() || m_parameters.use_full_hessian))
+    if(!has_moved && (may_relax() || m_parameters.use_full_hessian))
       has_moved = move(0, false);
-    if(relaxes()) // a relaxation has to pay off before there is another one
+    if(may_relax()) // a relaxation has to pay off before there is another one
     {
       m_can_relax = m_iterate.evaluation.energy < m_lowest_energy;
       m_lowest_energy = (std::min)(m_lowest_energy, m_iterate.evaluation.energy);
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  bool relaxes() const { return m_parameters.maximum_number_of_relaxations > 0; } // as in the paper
+  bool may_relax() const { return m_parameters.maximum_number_of_relaxations > 0; } // the target, as in the paper
 
   // A Newton step with the full Hessian, or with as much of its negative curvature as serves.
   bool move_with_hessian(const bool must_decrease_gradient)
@@ -78,7 +78,7 @@ private:
   {
     return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance()), [&]
     {
-      if(!relaxes())
+      if(!may_relax())
         return far_line_search_3(m_system, m_energy, m_iterate);
       return safe_line_search_3(m_system, m_energy, m_iterate, must_decrease_gradient
                                 ? m_iterate.direction.gradient_norm : std::numeric_limits<double>::infinity());
