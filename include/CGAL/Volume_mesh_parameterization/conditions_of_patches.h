@@ -75,6 +75,14 @@ public:
   static Patch_condition_3 on_own_surface() { return Patch_condition_3(ON_OWN_SURFACE); }
 
 #ifndef DOXYGEN_RUNNING
+  // Each vertex has a plane of its own, through its start.
+  static Patch_condition_3 in_plane_at_start(const std::array<double, 3>& normal)
+  {
+    Patch_condition_3 result = in_plane(normal[0], normal[1], normal[2], 0);
+    result.m_offset.reset();
+    return result;
+  }
+
   bool is_on_own_surface() const { return m_kind == ON_OWN_SURFACE; }
 
   void add_to(internal::Prescribed_position_3& position, const std::size_t source) const
@@ -95,7 +103,7 @@ private:
 
   Kind m_kind;
   std::array<double, 3> m_normal = {};
-  double m_offset = 0;
+  std::optional<double> m_offset;
   std::optional<Any_surface_3> m_surface;
 };
 

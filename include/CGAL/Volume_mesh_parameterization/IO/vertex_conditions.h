@@ -64,7 +64,7 @@ public:
   // Adds the facets to a surface, if their vertices are to slide on them.
   void add_to(Own_surface_3<std::size_t>& surface) const
   {
-    if(m_kind == "surface" && !m_surface)
+    if(m_condition && m_condition->is_on_own_surface())
       for(const std::array<std::size_t, 3>& facet : m_facets)
         surface.add_facet(facet, m_number);
   }
@@ -72,12 +72,8 @@ public:
   // Adds what the line asks for to what is prescribed to a vertex.
   void add_to(Prescribed_position_3& position) const
   {
-    if(m_kind == "fixed")
-      position.add_start(m_number);
-    if(m_kind == "plane")
-      position.add_plane(m_normal, m_offset, m_number);
-    if(m_surface)
-      position.add_surface(Vertex_condition_3::on_surface(*m_surface), m_number);
+    if(m_condition)
+      m_condition->add_to(position, m_number);
   }
 
 private:
@@ -138,41 +134,40 @@ private:
 
   void read_condition(Text_scanner& line, Surfaces_of_files& surfaces, const Budget& budget)
   {
-    m_kind = line.next_word();
-    const bool is_coordinate = m_kind.size() > 2 && m_kind[1] == '=' && m_kind[0] >= 'x' && m_kind[0] <= 'z';
-    if(is_coordinate)
+    const std::string kind(line.next_word());
+    if(kind.size() > 2 && kind[1] == '=' && kind[0] >= 'x' && kind[0] <= 'z')
     {
-      m_normal[m_kind[0] - 'x'] = 1;
-      m_offset = Text_scanner(std::string_view(m_kind).substr(2), budget, line.line()).next_number<double>("a coordinate");
-      m_kind = "plane";
+      Text_scanner value(std::string_view(kind).substr(2), budget, line.line());
+      m_condition = Patch_condition_3::coordinate(kind[0] - 'x', value.next_number<double>("a coordinate"));
     }
-    else if(m_kind == "plane")
+    else if(kind == "plane")
     {
-      for(double& x : m_normal)
+      std::array<double, 3> normal;
+      for(double& x : normal)
         x = line.next_number<double>("a coordinate of the normal");
-      if(m_normal == std::array<double, 3>{})
+      if(normal == std::array<double, 3>{})
         line.fail("the normal of a plane is zero");
+      m_condition = Patch_condition_3::in_plane_at_start(normal);
     }
-    else if(m_kind == "surface")
+    else if(kind == "surface")
     {
       const std::string filename(line.rest().empty() ? "" : line.is_at_quote() ? line.next_quoted() : line.next_word());
-      if(!filename.empty())
-        m_surface = surfaces.of_file(filename, budget);
-      else if(m_facets.empty())
+      if(filename.empty() && m_facets.empty())
         line.fail("a vertex has no surface of its own; use the file of a surface, or the reference of triangles");
+      m_condition = filename.empty() ? Patch_condition_3::on_own_surface()
+                                     : Patch_condition_3::on_surface(surfaces.of_file(filename, budget));
     }
-    else if(m_kind != "fixed" && m_kind != "free")
-      line.fail(Text_scanner::quote(m_kind) + " is not a condition: fixed, free, plane with a normal, x=1, or surface");
+    else if(kind == "fixed")
+      m_condition = Patch_condition_3::in_place();
+    else if(kind != "free")
+      line.fail(Text_scanner::quote(kind) + " is not a condition: fixed, free, plane with a normal, x=1, or surface");
     line.expect_end("the condition");
   }
 
   std::size_t m_number;
   std::set<std::size_t> m_vertices;
   std::vector<std::array<std::size_t, 3> > m_facets;
-  std::string m_kind;
-  std::array<double, 3> m_normal = {};
-  std::optional<double> m_offset; // of the plane; through the target if there is none
-  std::optional<Any_surface_3> m_surface; // of a file; the facets if there is none
+  std::optional<Patch_condition_3> m_condition; // none if the vertices are free
 };
 
 } // namespace internal

@@ -122,27 +122,31 @@ private:
     Vector_3 diagonal() const { return { projector(0, 0), projector(1, 1), projector(2, 2) }; }
   };
 
-  // Goes on from the solution of the planes. One surface and a plane, or two surfaces, intersect in a curve. More of them meet in
-  // a point, to which projections on one after the other converge.
+  // Returns the condition of a vertex that planes and surfaces keep. One surface and a plane, or two surfaces, intersect
+  // in a curve. More of them meet in a point.
+  Vertex_condition_3 condition_on_surfaces(const Vertex_condition_3& in_planes, const Allowed_by_planes& planes) const
+  {
+    using Condition = Vertex_condition_3;
+    const Condition &first = m_surfaces.front().condition, &last = m_surfaces.back().condition;
+    const bool is_free = in_planes.kind() == Condition::FREE;
+    const bool are_surfaces = first.kind() == Condition::ON_SURFACE && last.kind() == Condition::ON_SURFACE;
+    if(is_free && m_surfaces.size() == 1)
+      return first;
+    if(in_planes.kind() == Condition::IN_PLANE && m_surfaces.size() == 1 && are_surfaces)
+      return Condition::on_curve(Surface_intersection_3(first.surface(), planes));
+    if(is_free && m_surfaces.size() == 2 && are_surfaces)
+      return Condition::on_curve(Surface_intersection_3(first.surface(), last.surface()));
+    return Condition::at_target();
+  }
+
+  // Goes on from the solution of the planes, by projections on one surface after the other, which converge to a common point.
   Solution solution_on_surfaces(Solution solution) const
   {
     constexpr double rounding = 1e-12; // relative to the size
     constexpr int maximum_number_of_projections = 1000; // a guess
-    using Condition = Vertex_condition_3;
     const auto& [x, y, z] = solution.target;
     const Allowed_by_planes planes = { { x, y, z }, projector_3(solution.condition) };
-    const Condition &first = m_surfaces.front().condition, &last = m_surfaces.back().condition;
-    const bool is_free = solution.condition.kind() == Condition::FREE;
-    const bool are_surfaces = first.kind() == Condition::ON_SURFACE && last.kind() == Condition::ON_SURFACE;
-    if(is_free && m_surfaces.size() == 1)
-      solution.condition = first;
-    else if(solution.condition.kind() == Condition::IN_PLANE && m_surfaces.size() == 1 && are_surfaces)
-      solution.condition = Condition::on_curve(Surface_intersection_3(first.surface(), planes));
-    else if(is_free && m_surfaces.size() == 2 && are_surfaces)
-      solution.condition = Condition::on_curve(Surface_intersection_3(first.surface(), last.surface()));
-    else
-      solution.condition = Condition::at_target();
-
+    solution.condition = condition_on_surfaces(solution.condition, planes);
     if(solution.condition.is_sliding())
       solution.target = solution.condition.surface().nearest_point(solution.target).point;
     for(int i = 0; i < maximum_number_of_projections && !is_on_surfaces(solution.target, 0); ++i)
