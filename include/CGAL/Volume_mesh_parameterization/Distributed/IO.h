@@ -145,15 +145,6 @@ inline void write_piece(std::ostream& os, const MPI_communicator_3& communicator
             communicator.sum(volume(piece.cells, images)) / communicator.sum(volume(piece.cells, piece.points)));
 }
 
-// Returns a text with the characters that XML reserves in attributes replaced.
-inline std::string in_quotes_of_XML(const std::string& text)
-{
-  std::string result;
-  for(const char c : text)
-    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  return result;
-}
-
 // Writes the file that names the pieces and their arrays.
 inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
 {
@@ -167,7 +158,7 @@ inline void write_PVTU(std::ostream& os, const std::vector<std::string>& pieces)
     os << "<PDataArray type=\"Float64\" Name=\"" << name << "\"/>\n";
   os << "</PCellData>\n";
   for(const std::string& piece : pieces)
-    os << "<Piece Source=\"" << in_quotes_of_XML(std::filesystem::path(piece).filename().string()) << "\"/>\n";
+    os << "<Piece Source=\"" << XML_escaped(std::filesystem::path(piece).filename().string()) << "\"/>\n";
   os << "</PUnstructuredGrid>\n</VTKFile>\n";
 }
 
