@@ -47,16 +47,6 @@ class Ball_boundary_parameterizer_3 : public internal::Boundary_parameterizer_ba
 
 public:
   using internal::Boundary_parameterizer_base_3<Ball_boundary_parameterizer_3>::parameterize;
-#ifdef DOXYGEN_RUNNING
-  /// writes the image of each vertex of the boundary of a complex, as described in `BoundaryParameterizer_3`.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
-  /// writes the image of each point on the boundary of a mesh that is given by arrays, as described there.
-  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
-#endif
 
   /// writes the image of each vertex of the boundary of the complex, turned about the origin. The turn brings the landmarks as
   /// close to given points as possible, in the sense of least squares.

@@ -69,16 +69,6 @@ public:
   }
 
   using internal::Boundary_parameterizer_base_3<Cube_boundary_parameterizer_3>::parameterize;
-#ifdef DOXYGEN_RUNNING
-  /// writes the image of each vertex of the boundary of a complex, as described in `BoundaryParameterizer_3`.
-  template <typename C3t3, typename VertexPointMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const C3t3& c3t3, VertexPointMap target,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
-  /// writes the image of each point on the boundary of a mesh that is given by arrays, as described there.
-  template <typename PointRange, typename CellRange, typename TargetRange, typename CGAL_NP_TEMPLATE_PARAMETERS>
-  Error_code parameterize(const PointRange& points, const CellRange& cells, TargetRange& targets,
-                          const CGAL_NP_CLASS& np = parameters::default_values()) const;
-#endif
 
   /// writes the image of each vertex of the boundary of the complex, with the corners of the caller.
   ///
