@@ -80,7 +80,7 @@ void internal::fail_precondition(const char* message, const char* file, int line
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
 namespace CGAL::Volume_mesh_parameterization::internal {
 template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Landmarks_3& landmarks,
-                                    std::vector<Eigen::Vector3d>& images, const Budget& budget);
+                                    std::vector<Vector_3>& images, const Budget& budget);
 }
 ]] @ONLY)
   # The sparse solvers allocate memory by the flags of a unit, as all of Eigen does. By another name, they are the engine's own.

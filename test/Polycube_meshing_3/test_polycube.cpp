@@ -517,7 +517,7 @@ TEST_CASE("bodies with handles of a few bricks have a box with holes, or are too
   const Numbered_surface_3 surface = surface_of(body);
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
-  const Turned_surface_3 turned(surface, mesh, Eigen::Matrix3d::Identity());
+  const Turned_surface_3 turned(surface, mesh, Matrix_3::Identity());
   const Surface_map_3 map = map_to_box_with_holes_3(turned, *surface.cells, surface.vertices, Budget());
   CHECK((map.status == VMP::OK || map.status == VMP::ERROR_BOUNDARY_TOO_COARSE));
   CHECK(map.images.size() == (map.status == VMP::OK ? surface.points.size() : 0));
@@ -739,15 +739,15 @@ TEST_CASE("edges of a surface are split where short ones are asked for, with no 
 {
   using namespace PM::internal;
   Split_surface_3 square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const auto length = [](const Eigen::Vector3d& p) { return p.x() < 0.4 ? 0.05 : 10.; };
+  const auto length = [](const PM::internal::Vector_3& p) { return p.x() < 0.4 ? 0.05 : 10.; };
   square.split_long_edges(length);
   CHECK(square.facets.size() < 1200); // more with short edges everywhere
   double area = 0;
   for(const auto& facet : square.facets)
     for(std::size_t i = 0; i < 3; ++i)
     {
-      const Eigen::Vector3d &p = square.points[facet[i]], &q = square.points[facet[(i + 1) % 3]],
-                            &r = square.points[facet[(i + 2) % 3]];
+      const PM::internal::Vector_3 &p = square.points[facet[i]], &q = square.points[facet[(i + 1) % 3]],
+                                    &r = square.points[facet[(i + 2) % 3]];
       CHECK((q - p).norm() <= length((p + q) / 2));
       CHECK((q - p).normalized().dot((r - p).normalized()) < std::cos(0.4)); // half of a right angle by bisection, and less
       area += (q - p).cross(r - p).z() / 6;
@@ -796,7 +796,7 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   const Numbered_surface_3 surface = surface_of(body_of(ring));
   Boundary_mesh_3 mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const auto points = unit_points(mesh);
   Voxels_3 voxels = voxels_of_surface_3(points, surface.facets, 0.1, {0, 0, 0}, 0.5);
   REQUIRE(make_surface_of_characteristic(voxels, 0.5, 0));
   const Split_surface_3 given = {points, surface.facets};
@@ -890,7 +890,7 @@ namespace {
 // The boundary of a soup, with points of its own.
 struct Soup_surface
 {
-  std::vector<Eigen::Vector3d> points;
+  std::vector<PM::internal::Vector_3> points;
   std::vector<std::array<std::size_t, 3> > facets;
 
   explicit Soup_surface(const VMP::Tetrahedron_soup_3& soup)
@@ -909,7 +909,7 @@ struct Soup_surface
     }
   }
 
-  Eigen::Vector3d center(const std::size_t facet) const
+  PM::internal::Vector_3 center(const std::size_t facet) const
   {
     const auto& [a, b, c] = facets[facet];
     return (points[a] + points[b] + points[c]) / 3;
@@ -1041,11 +1041,11 @@ TEST_CASE("where a line between charts leads back behind its corner, another cha
   std::vector<std::size_t> folded = labels; // on the top, a part has the label of the face y = 4
   for(const auto f : mesh.faces())
   {
-    const Eigen::Vector3d center = surface.center(f);
+    const PM::internal::Vector_3 center = surface.center(f);
     if(labels[f] == 4 && center[0] > 3 && center[1] > 2)
       folded[f] = 2;
   }
-  for(Eigen::Vector3d& p : surface.points)
+  for(PM::internal::Vector_3& p : surface.points)
     p[2] *= 0.2 + 0.2 * p[1];
   set_points(mesh, surface.points);
   const auto position = [&](const std::size_t v) { return surface.points[v]; };
@@ -1068,7 +1068,7 @@ TEST_CASE("a plane that two directions suit equally gets one label, that of most
   const Budget budget;
   const std::vector<bool> is_sharp(mesh.number_of_edges(), false);
   CHECK_FALSE(Normal_labels_3(mesh, is_sharp, budget).decide_ties(Normal_labels_3(mesh, is_sharp, budget).closest()));
-  for(Eigen::Vector3d& p : surface.points)
+  for(PM::internal::Vector_3& p : surface.points)
     p[2] *= (1 + p[1] + 1e-4 * std::sin(7 * p[0] + 13 * p[1])) / 4;
   set_points(mesh, surface.points);
   const Normal_labels_3 costs(mesh, is_sharp, budget);
@@ -1412,7 +1412,7 @@ TEST_CASE("no other coordinates of the faces of a polycube have less distortion,
   Boundary_mesh_3& mesh = unit.mesh;
   REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
   set_points(mesh, unit_points(mesh));
-  unit.box = bounding_box(mesh);
+  unit.box = bounding_box(points_of(mesh));
   std::vector<std::size_t> labels;
   for(const std::array<std::size_t, 3>& facet : straight.facets)
   {
@@ -1462,8 +1462,8 @@ TEST_CASE("a hole of a face of a polycube is inside, even if it is beside the fa
   const Polycube_planes_3 planes(mesh, charts);
   Polycube_coordinates_3 inside(mesh, charts, planes, any, budget);
   CHECK(inside.run(mean_coordinates_3(mesh, charts, planes)));
-  for(Eigen::Vector3d& p : surface.points)
-    if((p - Eigen::Vector3d(5, 5, 0)).head<2>().lpNorm<Eigen::Infinity>() <= 1)
+  for(PM::internal::Vector_3& p : surface.points)
+    if((std::max)(std::abs(p[0] - 5), std::abs(p[1] - 5)) <= 1)
       p[0] += 20;
   set_points(mesh, surface.points);
   Polycube_coordinates_3 beside(mesh, charts, planes, any, budget);

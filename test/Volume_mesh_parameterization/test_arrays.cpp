@@ -273,7 +273,7 @@ TEST_CASE("Corners, labels and surfaces are given by arrays, too")
     CGAL::Surface_mesh<Point_3> boundary, target;
     const VMP::internal::Numbered_surface_3 surface
       = VMP::internal::surface_of(VMP::internal::body_of(body.soup.points, body.cells));
-    for(const Eigen::Vector3d& p : surface.points)
+    for(const VMP::internal::Vector_3& p : surface.points)
     {
       boundary.add_vertex(Point_3(p[0], p[1], p[2]));
       target.add_vertex(Point_3(2 * p[0], p[1] + p[2], p[2]));

@@ -94,12 +94,11 @@ Tetrahedron_soup_3 ring_with_references()
 std::size_t label_of_image(const Ring_complex::Cell_handle c, const int i, const Ring_complex& complex)
 {
   const auto image = [&](const int k) { return internal::to_vector(complex.uvw.at(c->vertex(k))); };
-  const Eigen::Vector3d p = image((i + 1) % 4);
-  Eigen::Vector3d normal = (image((i + 2) % 4) - p).cross(image((i + 3) % 4) - p);
+  const internal::Vector_3 p = image((i + 1) % 4);
+  internal::Vector_3 normal = (image((i + 2) % 4) - p).cross(image((i + 3) % 4) - p);
   if(normal.dot(image(i) - p) > 0)
     normal = -normal; // away from the cell
-  Eigen::Index axis;
-  normal.cwiseAbs().maxCoeff(&axis);
+  const int axis = normal.cwiseAbs().largest_index();
   return 2 * static_cast<std::size_t>(axis) + (normal[axis] < 0);
 }
 

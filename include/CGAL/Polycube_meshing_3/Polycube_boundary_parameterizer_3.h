@@ -212,14 +212,14 @@ public:
     const internal::Body_3 body // with the sides that are on the boundary now
       = internal::body_of_arrays(refined_body.points, refined_body.cells, refined_body.edges);
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
-    std::vector<Eigen::Vector3d> images;
+    std::vector<internal::Vector_3> images;
     for(const std::size_t v : surface.vertices)
       images.push_back(internal::to_vector(boundary.targets[v]));
     *m_result = { boundary.rotation, surface.sharp_edges.size() };
-    for(const std::vector<Eigen::Vector3d>& feature : internal::features_given_up_3(surface, images))
+    for(const std::vector<internal::Vector_3>& feature : internal::features_given_up_3(surface, images))
     {
       m_result->features_given_up.emplace_back();
-      for(const Eigen::Vector3d& p : feature)
+      for(const internal::Vector_3& p : feature)
         m_result->features_given_up.back().push_back(internal::coordinates(p));
     }
     constexpr std::size_t none = Polycube_result::no_label;
@@ -266,14 +266,14 @@ private:
   }
 
   // Returns the direction of the normal of a facet's image on a polycube.
-  static std::size_t label_of_image(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& images)
+  static std::size_t label_of_image(const std::array<std::size_t, 3>& facet, const std::vector<internal::Vector_3>& images)
   {
-    const Eigen::Vector3d &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
+    const internal::Vector_3 &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
     std::size_t axis = 0;
     while(axis < 2 && (p[axis] != q[axis] || p[axis] != r[axis]))
       ++axis;
     const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto point = [&](const Eigen::Vector3d& image) { return internal::Boundary_point_2(image[u], image[v]); };
+    const auto point = [&](const internal::Vector_3& image) { return internal::Boundary_point_2(image[u], image[v]); };
     return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
   }
 

@@ -82,7 +82,7 @@ public:
   {
     internal::Landmarks_3 of_body;
     for(const auto& [v, point] : landmarks)
-      of_body.emplace_back(v, Eigen::Vector3d(point[0], point[1], point[2]));
+      of_body.emplace_back(v, internal::to_vector(point));
     return this->parameterize_arrays(internal::body_of(points, cells), targets, np, of_body);
   }
 
@@ -90,7 +90,7 @@ private:
   using Given = internal::Landmarks_3;
 
   template <typename Surface> // a template, as `map_to_sphere_3()`
-  Error_code map(const Surface& surface, const internal::Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+  Error_code map(const Surface& surface, const internal::Landmarks_3& landmarks, std::vector<internal::Vector_3>& images,
                  const internal::Budget& budget) const
   { return internal::map_to_sphere_3(surface, landmarks, images, budget); }
 };

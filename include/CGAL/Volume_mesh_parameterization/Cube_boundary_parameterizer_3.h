@@ -102,7 +102,7 @@ public:
 private:
   using Given = std::optional<std::array<std::size_t, 8> >; // corners
 
-  Error_code map(const internal::Numbered_surface_3& surface, const Given& corners, std::vector<Eigen::Vector3d>& images,
+  Error_code map(const internal::Numbered_surface_3& surface, const Given& corners, std::vector<internal::Vector_3>& images,
                  const internal::Budget& budget) const
   {
     std::optional<std::array<int, 8> > indices;
@@ -118,7 +118,7 @@ private:
     return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
   }
 
-  Eigen::Vector3d m_half_lengths;
+  internal::Vector_3 m_half_lengths;
 };
 
 } // namespace CGAL::Volume_mesh_parameterization

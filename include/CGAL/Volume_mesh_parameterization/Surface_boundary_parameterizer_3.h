@@ -60,7 +60,7 @@ private:
   using Face = std::array<std::size_t, 3>; // the smallest index comes first
   struct Given {};
 
-  Error_code map(const internal::Numbered_surface_3& surface, Given, std::vector<Eigen::Vector3d>& images,
+  Error_code map(const internal::Numbered_surface_3& surface, Given, std::vector<internal::Vector_3>& images,
                  const internal::Budget& budget) const
   {
     internal::Boundary_mesh_3 mesh;
@@ -68,7 +68,7 @@ private:
     return status == OK ? find_images(surface, images, budget) : status;
   }
 
-  Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<Eigen::Vector3d>& images,
+  Error_code find_images(const internal::Numbered_surface_3& boundary, std::vector<internal::Vector_3>& images,
                          const internal::Budget& budget) const
   {
     const std::set<Face> surface = faces_of(m_boundary, budget);
@@ -79,9 +79,9 @@ private:
     for(const Coordinates& point : points_of(m_boundary))
       index.emplace(point, index.size());
     std::vector<std::size_t> vertex_of_surface;
-    for(const Eigen::Vector3d& point : boundary.points)
+    for(const internal::Vector_3& point : boundary.points)
     {
-      const auto found = index.find({ point[0], point[1], point[2] });
+      const auto found = index.find(internal::coordinates(point));
       if(found == index.end() || budget.is_exhausted())
         return ERROR_OTHER_CONNECTIVITY;
       vertex_of_surface.push_back(found->second);
@@ -93,7 +93,7 @@ private:
 
     const std::vector<Coordinates> points_of_target = points_of(m_target);
     for(const std::size_t v : vertex_of_surface)
-      images.emplace_back(points_of_target[v].data());
+      images.push_back(internal::to_vector(points_of_target[v]));
     return OK;
   }
 

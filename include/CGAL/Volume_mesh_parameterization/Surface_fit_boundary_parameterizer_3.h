@@ -84,7 +84,7 @@ private:
   struct Given {};
 
   template <typename Surface>
-  Error_code map(const Surface& surface, Given, std::vector<Eigen::Vector3d>& images, const internal::Budget& budget) const
+  Error_code map(const Surface& surface, Given, std::vector<internal::Vector_3>& images, const internal::Budget& budget) const
   { return internal::map_to_surface_3(surface, m_target, m_landmarks, images, budget); }
 
   internal::Numbered_surface_3 m_target;

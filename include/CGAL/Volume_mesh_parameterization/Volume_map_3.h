@@ -206,7 +206,7 @@ private:
   {
     Eigen::Matrix3d result;
     for(int i = 0; i < 3; ++i)
-      result.col(i) = internal::to_vector(side.corner(cell, i + 1)) - internal::to_vector(side.corner(cell, 0));
+      result.col(i) = Eigen::Vector3d(internal::to_vector(side.corner(cell, i + 1)) - internal::to_vector(side.corner(cell, 0)));
     return result;
   }
 

@@ -150,7 +150,7 @@ public:
     for(std::size_t f = m_facets.size(); f-- > 0;)
       for(const std::size_t i : m_facets[f])
         groups[i] = m_groups[f];
-    auto features = sharp_edges_3(m_facets, {}, [&](const std::size_t i) { return Vector_3(to_vector(points[i])); });
+    auto features = sharp_edges_3(m_facets, {}, [&](const std::size_t i) { return to_vector(points[i]); });
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       if(m_groups[begin->second[0] / 3] != m_groups[(end - 1)->second[0] / 3])

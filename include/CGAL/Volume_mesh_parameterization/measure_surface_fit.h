@@ -68,22 +68,20 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
     return mesh;
   };
   internal::Numbered_surface_3 target;
-  for(const std::array<double, 3>& p : points_of_surface)
-    target.points.push_back(internal::to_vector(p));
+  target.points = internal::vectors_of(points_of_surface);
   target.facets = triangles;
   const internal::Boundary_mesh_3 image = mesh_of(internal::surface_of(internal::body_of(points, cells)));
   const internal::Boundary_mesh_3 mesh_of_target = mesh_of(target);
 
   Surface_fit_3 result;
-  for(const auto v : image.vertices())
+  for(const internal::Vector_3& p : internal::points_of(image))
   {
-    const Eigen::Vector3d p = internal::eigen_point(image, v);
-    const Eigen::Vector3d q = internal::to_vector(surface.nearest_point(internal::coordinates(p)).point);
+    const internal::Vector_3 q = internal::to_vector(surface.nearest_point(internal::coordinates(p)).point);
     result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
   }
   result.number_of_turned_facets = internal::number_of_turned_facets(image, surface);
   result.largest_distance_from_surface = Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(
-    mesh_of_target, image, 1e-3 * internal::bounding_box(mesh_of_target).diagonal().norm());
+    mesh_of_target, image, 1e-3 * internal::bounding_box(target.points).diagonal().norm());
   std::vector<std::pair<internal::Boundary_mesh_3::Face_index, internal::Boundary_mesh_3::Face_index> > pairs;
   Polygon_mesh_processing::self_intersections(image, std::back_inserter(pairs));
   result.number_of_intersections = pairs.size();

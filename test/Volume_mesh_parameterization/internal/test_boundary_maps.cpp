@@ -7,8 +7,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -17,20 +15,21 @@ namespace VMP = CGAL::Volume_mesh_parameterization;
 
 TEST_CASE("the derivatives of the radial distortion agree with differences")
 {
-  const Eigen::Vector3d p(0, 0, 0), q(1, 0.2, 0), r(0.3, 0.9, 0.4), b(0.8, -0.1, 0.6), c(0.1, 0.7, 0.9);
+  using VMP::internal::Matrix_3, VMP::internal::Vector_3;
+  const Vector_3 p(0, 0, 0), q(1, 0.2, 0), r(0.3, 0.9, 0.4), b(0.8, -0.1, 0.6), c(0.1, 0.7, 0.9);
   const VMP::internal::Radial_distortion_3 distortion(p, q, r, 0.7, b, c);
-  const Eigen::Vector3d a(-0.1, -0.2, 1.1);
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+  const Vector_3 a(-0.1, -0.2, 1.1);
+  Vector_3 gradient = Vector_3::Zero();
+  Matrix_3 hessian = Matrix_3::Zero();
   distortion.add_derivatives(a, gradient, hessian);
 
   const double h = 1e-5;
   for(int i = 0; i < 3; ++i)
   {
-    const Eigen::Vector3d step = h * Eigen::Vector3d::Unit(i);
+    const Vector_3 step = h * Vector_3::Unit(i);
     CHECK((distortion.value(a + step) - distortion.value(a - step)) / (2 * h) == Approx(gradient[i]));
-    Eigen::Vector3d before = Eigen::Vector3d::Zero(), after = before;
-    Eigen::Matrix3d unused = hessian;
+    Vector_3 before = Vector_3::Zero(), after = before;
+    Matrix_3 unused = hessian;
     distortion.add_derivatives(a - step, before, unused);
     distortion.add_derivatives(a + step, after, unused);
     for(int j = 0; j < 3; ++j)
@@ -38,10 +37,10 @@ TEST_CASE("the derivatives of the radial distortion agree with differences")
   }
 
   // an isometry of a triangle of area 0.005 at distance 1
-  const VMP::internal::Radial_distortion_3 isometry(p, 0.1 * Eigen::Vector3d::UnitX(), 0.1 * Eigen::Vector3d::UnitY(),
-                                                    1, Eigen::Vector3d(0.1, 0, 1), Eigen::Vector3d(0, 0.1, 1));
-  CHECK(isometry.value(Eigen::Vector3d::UnitZ()) == Approx(4 * 0.005).epsilon(1e-4));
-  CHECK(std::isinf(isometry.value(-Eigen::Vector3d::UnitZ())));
+  const VMP::internal::Radial_distortion_3 isometry(p, 0.1 * Vector_3::Unit(0), 0.1 * Vector_3::Unit(1),
+                                                    1, Vector_3(0.1, 0, 1), Vector_3(0, 0.1, 1));
+  CHECK(isometry.value(Vector_3::Unit(2)) == Approx(4 * 0.005).epsilon(1e-4));
+  CHECK(std::isinf(isometry.value(-Vector_3::Unit(2))));
 }
 
 TEST_CASE("coarsening to a tetrahedron is undone exactly")

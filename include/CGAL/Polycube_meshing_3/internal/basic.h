@@ -62,14 +62,11 @@ using namespace Volume_mesh_parameterization::internal;
 using Volume_mesh_parameterization::internal::Vector_3; // not CGAL's
 
 template <typename Point>
-Vector_3 vector_of(const Point& p) { return to_vector(p); }
-
-template <typename Point>
 std::vector<Vector_3> vectors_of(const std::vector<Point>& points)
 {
   std::vector<Vector_3> result;
   for(const Point& p : points)
-    result.push_back(vector_of(p));
+    result.push_back(to_vector(p));
   return result;
 }
 

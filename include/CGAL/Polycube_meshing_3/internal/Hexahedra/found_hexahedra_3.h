@@ -229,7 +229,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
     result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
-                               " have no vertex, among them the one at ", describe(vector_of(result.corners_given_up[0])), ".");
+                               " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
 }
 
 // Returns the chosen hexahedra, with what is to be said of them.

@@ -26,7 +26,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 // Returns the direction of the edge of a polycube between faces with two labels, in which the last point lies from the first
 // one; zero if the labels have the same axis, or the points the same coordinate.
 inline Eigen::Vector3i direction_of_edge(const std::size_t label, const std::size_t other_label,
-                                         const Eigen::Vector3d& first, const Eigen::Vector3d& last)
+                                         const Vector_3& first, const Vector_3& last)
 {
   Eigen::Vector3i result = Eigen::Vector3i::Zero();
   const int a = axis_of_direction(label), b = axis_of_direction(other_label), axis = 3 - a - b;
@@ -46,7 +46,7 @@ struct Chart_borders_3
   };
 
   std::vector<Side> sides;
-  std::vector<Eigen::Vector3d> corners;
+  std::vector<Vector_3> corners;
   std::vector<std::vector<std::size_t> > sides_to_corner;  // in their order around the corner
   std::vector<std::array<std::size_t, 2> > closed_chains;   // charts on both sides of chains without a corner
   std::vector<int> inner_characteristic;                   // Euler characteristics of charts without their borders

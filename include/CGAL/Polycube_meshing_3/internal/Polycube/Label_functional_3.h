@@ -45,16 +45,15 @@ public:
   // Returns the length of an edge as a border between labels.
   double length(const Boundary_mesh_3::Halfedge_index h) const
   {
-    const Eigen::Vector3d &a = m_area_vectors[m_mesh.face(h)], &b = m_area_vectors[m_mesh.face(m_mesh.opposite(h))];
+    const Vector_3 &a = m_area_vectors[m_mesh.face(h)], &b = m_area_vectors[m_mesh.face(m_mesh.opposite(h))];
     const double cosine = (std::max)(0., a.normalized().dot(b.normalized()));
-    return (m_is_sharp[m_mesh.edge(h)] ? 0 : cosine * cosine)
-           * (eigen_point(m_mesh, m_mesh.target(h)) - eigen_point(m_mesh, m_mesh.source(h))).norm();
+    return (m_is_sharp[m_mesh.edge(h)] ? 0 : cosine * cosine) * edge_vector(m_mesh, h).norm();
   }
 
 private:
   const Boundary_mesh_3& m_mesh;
   const std::vector<bool> m_is_sharp;
-  std::vector<Eigen::Vector3d> m_area_vectors; // normal times area
+  std::vector<Vector_3> m_area_vectors; // normal times area
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -38,7 +38,7 @@ public:
 
   // Takes the images of a map without lines, and whether each edge of the mesh is sharp.
   Lines_of_charts_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::vector<bool>& is_sharp,
-                    const Plane_grid_3& grid, const std::vector<Eigen::Vector3d>& images)
+                    const Plane_grid_3& grid, const std::vector<Vector_3>& images)
     : m_mesh(mesh), m_charts(charts), m_grid(grid), m_images(images),
       m_is_bound(images.size(), { false, false, false }), m_positions(charts.number_of_charts() + charts.chains().size())
   {
@@ -68,7 +68,7 @@ public:
   }
 
   // Gives the vertices of lines their values, and holds these coordinates.
-  void apply(std::vector<Eigen::Vector3d>& images, Held_coordinates& is_held) const
+  void apply(std::vector<Vector_3>& images, Held_coordinates& is_held) const
   {
     for(const Plane& plane : m_planes)
       for(const Line_of_chart_3& line : plane.lines)
@@ -116,7 +116,7 @@ private:
     {
       const Polycube_chain_3& chain = m_charts.chains()[i];
       const std::vector<Vertex> path = m_charts.vertices(chain);
-      const Eigen::Vector3d first = m_images[path.front()], last = m_images[path.back()];
+      const Vector_3 first = m_images[path.front()], last = m_images[path.back()];
       for(const std::size_t c : chain.charts)
       {
         const int axis = other_axis(m_charts, c, chain.axis);
@@ -125,7 +125,7 @@ private:
         for(const Vertex v : path)
           m_is_bound[v][axis] = true;
       }
-      for(const Eigen::Vector3d& p : { first, last })
+      for(const Vector_3& p : { first, last })
         m_positions[m_charts.number_of_charts() + i].push_back({ chain.axis, 0, 1, p[chain.axis], p[chain.axis] });
       for(std::size_t k = 1; k + 1 < path.size(); ++k)
         m_chain_of_vertex[path[k]] = static_cast<int>(i);
@@ -189,7 +189,7 @@ private:
     for(const Line_of_chart_3& line : lines)
       for(std::size_t i = 1; i < line.vertices.size(); ++i)
       {
-        const Eigen::Vector3d p = m_images[line.vertices[i - 1]], q = m_images[line.vertices[i]];
+        const Vector_3 p = m_images[line.vertices[i - 1]], q = m_images[line.vertices[i]];
         plane.mean += (q - p).norm() * (p + q)[plane.axis] / 2;
         plane.length += (q - p).norm();
       }
@@ -258,7 +258,7 @@ private:
     for(const Line_of_chart_3& line : plane.lines)
     {
       const int along = other_axis(m_charts, line.chart, line.axis);
-      const Eigen::Vector3d first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
+      const Vector_3 first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
       const auto [low, high] = std::minmax(first[along], last[along]);
       result.push_back({ line.chart, { plane.axis, low, high, plane_of({ line }).mean, value } });
       for(const Vertex v : line.vertices)
@@ -282,7 +282,7 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
   const Plane_grid_3 m_grid;
-  const std::vector<Eigen::Vector3d> m_images;
+  const std::vector<Vector_3> m_images;
   Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
   std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
   std::vector<std::vector<Position> > m_positions; // in each chart, and on each edge of the polycube

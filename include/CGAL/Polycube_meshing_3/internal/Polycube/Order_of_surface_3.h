@@ -80,9 +80,9 @@ public:
 
   // Returns values of points that are in this order in that of the surface that was given. Points that were added to the surface
   // come behind all others in both.
-  std::vector<Eigen::Vector3d> back(const std::vector<Eigen::Vector3d>& values) const
+  std::vector<Vector_3> back(const std::vector<Vector_3>& values) const
   {
-    std::vector<Eigen::Vector3d> result(values.size());
+    std::vector<Vector_3> result(values.size());
     for(std::size_t i = 0; i < values.size(); ++i)
       result[point(i)] = values[i];
     return result;
@@ -103,17 +103,17 @@ private:
   // Returns the squared distances from the center; 0 if a coordinate is not finite.
   std::vector<double> squared_distances() const
   {
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    Vector_3 moment = Vector_3::Zero();
     double area = 0;
     for(const auto& [a, b, c] : m_surface.facets)
     {
-      const Eigen::Vector3d &p = m_surface.points[a], &q = m_surface.points[b], &r = m_surface.points[c];
+      const Vector_3 &p = m_surface.points[a], &q = m_surface.points[b], &r = m_surface.points[c];
       const double twice_area = (q - p).cross(r - p).norm();
       moment += twice_area * (p + q + r) / 3;
       area += twice_area;
     }
     std::vector<double> result;
-    for(const Eigen::Vector3d& p : m_surface.points)
+    for(const Vector_3& p : m_surface.points)
     {
       const double distance = (area * p - moment).squaredNorm();
       result.push_back(std::isfinite(distance) ? distance : 0);

@@ -201,8 +201,8 @@ private:
     if(axis(chain.charts[0]) != axis(chain.charts[1]))
       chain.axis = 3 - axis(chain.charts[0]) - axis(chain.charts[1]);
     chain.sign = direction_of_edge(m_labels[chain.charts[0]], m_labels[chain.charts[1]],
-                                   eigen_point(m_mesh, m_mesh.source(chain.halfedges.front())),
-                                   eigen_point(m_mesh, m_mesh.target(h))).sum();
+                                   to_vector(m_mesh.point(m_mesh.source(chain.halfedges.front()))),
+                                   to_vector(m_mesh.point(m_mesh.target(h)))).sum();
     m_chains.push_back(chain);
   }
 
@@ -218,7 +218,7 @@ private:
     for(const Vertex v : m_corners)
     {
       corner[v] = m_borders.corners.size();
-      m_borders.corners.push_back(eigen_point(m_mesh, v));
+      m_borders.corners.push_back(to_vector(m_mesh.point(v)));
     }
     m_borders.sides_to_corner.resize(m_corners.size());
     for(const Polycube_chain_3& chain : m_chains)

@@ -105,7 +105,7 @@ private:
     int axis;
     std::array<std::size_t, 2> charts;
     std::array<std::size_t, 3> lowest, highest; // planes at its ends, by axis
-    Eigen::AlignedBox3d box;
+    Box_3 box;
     double length;
 
     Edge(const Polycube_chain_3& chain, const Polycube_coordinates_3& coordinates)
@@ -117,7 +117,7 @@ private:
       if(chain.sign < 0)
         lowest.swap(highest);
       for(const Polycube_charts_3::Vertex v : path)
-        box.extend(eigen_point(coordinates.m_mesh, v));
+        box.extend(to_vector(coordinates.m_mesh.point(v)));
       length = arc_lengths(coordinates.m_mesh, path).back();
     }
 
@@ -252,7 +252,7 @@ private:
     double largest_gap = -(std::numeric_limits<double>::infinity)();
     for(const int axis : m_charts.plane_axes(chart))
       for(const auto& [low, high] : { std::tie(a, b), std::tie(b, a) })
-        if(const double gap = (high.box.min)()[axis] - (low.box.max)()[axis];
+        if(const double gap = high.box.smallest[axis] - low.box.largest[axis];
            gap > largest_gap && m_order.may_precede(low.highest[axis], high.lowest[axis]))
         {
           largest_gap = gap;

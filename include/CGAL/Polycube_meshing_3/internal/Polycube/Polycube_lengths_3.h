@@ -165,7 +165,7 @@ private:
   // move start at the largest faces, wherever the body lies.
   void round_to_planes(Plane_grid_3 grid, VectorXd& x) const
   {
-    Eigen::Vector3d largest = Eigen::Vector3d::Zero();
+    Vector_3 largest = Vector_3::Zero();
     for(Eigen::Index g = 0; g < x.size() && grid.may_move; ++g)
       if(const int axis = m_map.axes()[g]; m_map.areas()[g] > largest[axis])
       {

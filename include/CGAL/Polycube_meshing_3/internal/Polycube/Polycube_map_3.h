@@ -33,9 +33,9 @@ public:
 
   Polycube_map_3(const Unit_surface_3& surface, const std::vector<std::size_t>& labels)
     : m_surface(surface), m_mesh(surface.mesh), m_charts(m_mesh, labels), m_planes(m_mesh, m_charts),
-      m_images(m_mesh.number_of_vertices(), Eigen::Vector3d::Zero()), m_relaxations(m_charts.number_of_charts())
+      m_images(m_mesh.number_of_vertices(), Vector_3::Zero()), m_relaxations(m_charts.number_of_charts())
   {
-    const double size = surface.box.sizes().maxCoeff();
+    const double size = surface.box.diagonal().maxCoeff();
     m_grid = { -surface.box.center() / size, surface.spacing / size, surface.may_move };
   }
 
@@ -81,7 +81,7 @@ public:
       straighten(budget);
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
-    for(Eigen::Vector3d& image : m_images)
+    for(Vector_3& image : m_images)
       image = in_space(image);
     if(m_surface.spacing > 0)
       move_to_multiples();
@@ -93,7 +93,7 @@ public:
     return Polygon_mesh_processing::does_self_intersect(image) ? ERROR_NO_POLYCUBE : OK;
   }
 
-  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
+  const std::vector<Vector_3>& images() const { return m_images; }
   const Polycube_charts_3& charts() const { return m_charts; }
 
   // Returns faces for which the edges of the polycube leave no room, if the boundary is too coarse.
@@ -152,7 +152,7 @@ private:
   // Makes lines of sharp edges inside charts as far as that leaves room for all faces.
   void straighten(const Budget& budget)
   {
-    const std::vector<Eigen::Vector3d> images = m_images;
+    const std::vector<Vector_3> images = m_images;
     for(Lines_of_charts_3 lines(m_mesh, m_charts, followed_edges(), m_grid, images); !lines.are_empty(); )
     {
       map_with(lines, images, budget);
@@ -175,7 +175,7 @@ private:
     for(const auto h : m_mesh.halfedges())
     {
       const Facet_edges_3 X = edges_of_face(m_mesh, m_mesh.face(h));
-      const Eigen::Vector3d direction = vector_of_direction(m_charts.labels()[m_charts.chart(h)]);
+      const Vector_3 direction = vector_of_direction(m_charts.labels()[m_charts.chart(h)]);
       if(X[0].cross(X[1]).stableNormalized().dot(direction) < least_cosine)
         result[m_mesh.edge(h)] = false;
     }
@@ -183,7 +183,7 @@ private:
   }
 
   // Maps the charts with lines, from the images of corners.
-  void map_with(const Lines_of_charts_3& lines, const std::vector<Eigen::Vector3d>& images, const Budget& budget)
+  void map_with(const Lines_of_charts_3& lines, const std::vector<Vector_3>& images, const Budget& budget)
   {
     m_images = images;
     m_is_held.assign(m_images.size(), { false, false, false });
@@ -235,8 +235,8 @@ private:
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
-  Eigen::Vector3d in_space(const Eigen::Vector3d& p) const
-  { return m_surface.box.center() + m_surface.box.sizes().maxCoeff() * p; }
+  Vector_3 in_space(const Vector_3& p) const
+  { return m_surface.box.center() + m_surface.box.diagonal().maxCoeff() * p; }
 
   // Makes the coordinates of faces multiples of the spacing, and those of lines multiples of a part of it.
   void move_to_multiples()
@@ -244,9 +244,9 @@ private:
     const double spacing = m_surface.spacing;
     if(m_grid.may_move)
     {
-      const Eigen::Array3d origin = in_space(m_grid.origin);
-      for(Eigen::Vector3d& image : m_images)
-        image.array() += spacing * (origin / spacing).round() - origin;
+      const Vector_3 origin = in_space(m_grid.origin);
+      for(Vector_3& image : m_images)
+        image += origin.unaryExpr([&](const double x) { return spacing * std::round(x / spacing) - x; });
     }
     const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
     for(const auto h : m_mesh.halfedges())
@@ -263,7 +263,7 @@ private:
   const Polycube_planes_3 m_planes;
   Plane_grid_3 m_grid;
   std::vector<double> m_coordinates; // of the faces of the charts, along their axes
-  std::vector<Eigen::Vector3d> m_images;
+  std::vector<Vector_3> m_images;
   Held_coordinates m_is_held;    // on edges of the polycube, and across lines
   Held_coordinates m_is_on_line; // across lines
   std::vector<std::optional<Chart_relaxation_2> > m_relaxations; // by chart; none of those not mapped yet

@@ -42,7 +42,7 @@ public:
 
   // Takes the images of a map without lines, and whether each edge of the mesh is sharp.
   Search_for_lines_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::vector<bool>& is_sharp,
-                     const std::vector<Eigen::Vector3d>& images)
+                     const std::vector<Vector_3>& images)
     : m_mesh(mesh), m_charts(charts), m_is_sharp(is_sharp), m_images(images)
   {
     find_lines();
@@ -53,21 +53,15 @@ public:
 private:
   bool separates(const Halfedge h) const { return m_charts.chart(h) != m_charts.chart(m_mesh.opposite(h)); }
   bool is_inside(const Halfedge h) const { return m_is_sharp[m_mesh.edge(h)] && !separates(h); }
-  Eigen::Vector3d way(const Halfedge h) const { return m_images[m_mesh.target(h)] - m_images[m_mesh.source(h)]; }
+  Vector_3 way(const Halfedge h) const { return m_images[m_mesh.target(h)] - m_images[m_mesh.source(h)]; }
 
   // Returns the axis that the image of an edge leads along.
-  int axis_along(const Halfedge h) const
-  {
-    int axis;
-    way(h).cwiseAbs().maxCoeff(&axis);
-    return axis;
-  }
+  int axis_along(const Halfedge h) const { return way(h).cwiseAbs().largest_index(); }
 
   // Returns the sharp edges of the chart in which an edge goes on.
   std::vector<Halfedge> continuations(const Halfedge h) const
   {
-    const auto edge = [this](const Halfedge k) -> Eigen::Vector3d
-    { return eigen_point(m_mesh, m_mesh.target(k)) - eigen_point(m_mesh, m_mesh.source(k)); };
+    const auto edge = [this](const Halfedge k) { return edge_vector(m_mesh, k); };
     std::vector<Halfedge> result;
     for(const Halfedge k : CGAL::halfedges_around_source(m_mesh.target(h), m_mesh))
       if(is_inside(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
@@ -124,10 +118,9 @@ private:
       line.vertices.push_back(m_mesh.target(*h));
       length += way(*h).norm();
     }
-    Eigen::Vector3d difference = m_images[line.vertices.back()] - m_images[line.vertices.front()];
+    Vector_3 difference = m_images[line.vertices.back()] - m_images[line.vertices.front()];
     difference[m_charts.axis(chart)] = 0;
-    int along;
-    difference.cwiseAbs().maxCoeff(&along);
+    const int along = difference.cwiseAbs().largest_index();
     line.axis = other_axis(m_charts, chart, along);
     if(!(std::abs(difference[line.axis]) <= largest_slope * std::abs(difference[along]))
        || std::abs(difference[along]) < smallest_extent * length)
@@ -143,7 +136,7 @@ private:
   const Boundary_mesh_3& m_mesh;
   const Polycube_charts_3& m_charts;
   const std::vector<bool>& m_is_sharp;
-  const std::vector<Eigen::Vector3d>& m_images;
+  const std::vector<Vector_3>& m_images;
   std::vector<Line_of_chart_3> m_lines;
 };
 

@@ -73,7 +73,7 @@ private:
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
-      flatten_narrow_charts_3(m_mesh, narrow_part * m_surface.spacing / m_surface.box.sizes().maxCoeff(), labels);
+      flatten_narrow_charts_3(m_mesh, narrow_part * m_surface.spacing / m_surface.box.diagonal().maxCoeff(), labels);
       if(!m_proposed.insert(labels).second)
         continue;
       for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
@@ -138,11 +138,9 @@ private:
   {
     double result = 0;
     for(const auto e : m_mesh.edges())
-    {
-      const auto v = m_mesh.source(m_mesh.halfedge(e)), w = m_mesh.target(m_mesh.halfedge(e));
-      if(m_surface.is_sharp[e] && !leads_along_axis(polycube.map.images[v], polycube.map.images[w]))
-        result += (eigen_point(m_mesh, w) - eigen_point(m_mesh, v)).norm();
-    }
+      if(const auto h = m_mesh.halfedge(e); m_surface.is_sharp[e]
+         && !leads_along_axis(polycube.map.images[m_mesh.source(h)], polycube.map.images[m_mesh.target(h)]))
+        result += edge_vector(m_mesh, h).norm();
     return result;
   }
 

@@ -18,8 +18,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -35,7 +33,7 @@ struct Unit_surface_3
 {
   Boundary_mesh_3 mesh;
   std::vector<bool> is_sharp; // of its edges
-  Eigen::AlignedBox3d box;    // of the surface before it was scaled, which gives the size of the polycube
+  Box_3 box;    // of the surface before it was scaled, which gives the size of the polycube
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
 };
@@ -50,25 +48,25 @@ inline int number_of_handles(const Boundary_mesh_3& mesh)
 // Surface that is turned about the center of its bounding box, as it is in space and in the unit box.
 struct Turned_surface_3 : Unit_surface_3
 {
-  Eigen::Matrix3d rotation;
+  Matrix_3 rotation;
   Numbered_surface_3 surface;
 
   // Takes a surface with its mesh, and the rotation.
-  Turned_surface_3(const Numbered_surface_3& given, Boundary_mesh_3 mesh_of_given, const Eigen::Matrix3d& r)
+  Turned_surface_3(const Numbered_surface_3& given, Boundary_mesh_3 mesh_of_given, const Matrix_3& r)
     : rotation(r), surface(given)
   {
     mesh = std::move(mesh_of_given);
     is_sharp = are_among(mesh, surface.sharp_edges);
-    if(rotation != Eigen::Matrix3d::Identity()) // which would round
-      turn(bounding_box(mesh).center());
-    box = bounding_box(mesh);
+    if(rotation != Matrix_3::Identity()) // which would round
+      turn(bounding_box(points_of(mesh)).center());
+    box = bounding_box(points_of(mesh));
     set_points(mesh, unit_points(mesh));
   }
 
 private:
-  void turn(const Eigen::Vector3d& center)
+  void turn(const Vector_3& center)
   {
-    for(Eigen::Vector3d& p : surface.points)
+    for(Vector_3& p : surface.points)
       p = center + rotation * (p - center);
     set_points(mesh, surface.points);
   }
@@ -76,7 +74,7 @@ private:
 
 // Returns how far the images of a surface are from it: the root of the mean of log(s)^2 + log(t)^2 over the area, s and t the
 // singular values of the map after the best scaling.
-inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& images)
+inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& images)
 {
   double area = 0, sum = 0, sum_of_squares = 0;
   for(const auto f : mesh.faces())
@@ -97,7 +95,7 @@ inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Eigen:
 struct Surface_map_3
 {
   Error_code status = ERROR_NO_POLYCUBE;
-  std::vector<Eigen::Vector3d> images = {};
+  std::vector<Vector_3> images = {};
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

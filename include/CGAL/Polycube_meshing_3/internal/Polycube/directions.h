@@ -31,9 +31,9 @@ inline int sign_of_direction(const std::size_t direction)
   return (direction % 2 == 0) ? 1 : -1;
 }
 
-inline Eigen::Vector3d vector_of_direction(const std::size_t direction)
+inline Vector_3 vector_of_direction(const std::size_t direction)
 {
-  return sign_of_direction(direction) * Eigen::Vector3d::Unit(axis_of_direction(direction));
+  return sign_of_direction(direction) * Vector_3::Unit(axis_of_direction(direction));
 }
 
 inline std::size_t opposite_direction(const std::size_t d) { return d ^ 1; }

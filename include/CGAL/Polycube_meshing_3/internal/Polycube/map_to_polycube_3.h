@@ -28,14 +28,14 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the sharp edges of a surface whose images lead along no axis, joined to polylines of its points, the longest one first.
-inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numbered_surface_3& surface,
-                                                                      const std::vector<Eigen::Vector3d>& images)
+inline std::vector<std::vector<Vector_3> > features_given_up_3(const Numbered_surface_3& surface,
+                                                                      const std::vector<Vector_3>& images)
 {
   using Graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>;
   struct Visitor // of split_graph_into_polylines()
   {
-    const std::vector<Eigen::Vector3d>& points;
-    std::vector<std::vector<Eigen::Vector3d> >& polylines;
+    const std::vector<Vector_3>& points;
+    std::vector<std::vector<Vector_3> >& polylines;
 
     void start_new_polyline() { polylines.emplace_back(); }
     void add_node(const std::size_t v) { polylines.back().push_back(points[v]); }
@@ -45,13 +45,13 @@ inline std::vector<std::vector<Eigen::Vector3d> > features_given_up_3(const Numb
   for(const auto& [v, w] : surface.sharp_edges)
     if(!leads_along_axis(images[v], images[w]))
       add_edge(v, w, graph);
-  std::vector<std::vector<Eigen::Vector3d> > result;
+  std::vector<std::vector<Vector_3> > result;
   Visitor visitor = { surface.points, result };
   CGAL::split_graph_into_polylines(graph, visitor);
-  const auto is_point = [](const std::vector<Eigen::Vector3d>& polyline) { return polyline.size() < 2; };
+  const auto is_point = [](const std::vector<Vector_3>& polyline) { return polyline.size() < 2; };
   result.erase(std::remove_if(result.begin(), result.end(), is_point), result.end());
 
-  const auto length = [](const std::vector<Eigen::Vector3d>& polyline)
+  const auto length = [](const std::vector<Vector_3>& polyline)
   {
     double sum = 0;
     for(std::size_t i = 1; i < polyline.size(); ++i)
@@ -78,10 +78,10 @@ struct Polycube_problem_3
 struct Found_polycube_3
 {
   Error_code status = ERROR_NO_POLYCUBE;
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  std::vector<Eigen::Vector3d> images = {};
+  Matrix_3 rotation = Matrix_3::Identity();
+  std::vector<Vector_3> images = {};
   std::vector<std::array<std::size_t, 2> > splits = {};
-  std::vector<Eigen::Vector3d> images_with_splits = {}; // also of the new points
+  std::vector<Vector_3> images_with_splits = {}; // also of the new points
 };
 
 // Maps a surface onto a polycube. Without labels, those that keep as many details as possible are proposed.

@@ -71,13 +71,13 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
 }
 
 // Moves points by a distance in units of the spacing, if there is one: multiples of it stay multiples, bit by bit.
-inline void move_along_x(const double distance, const double spacing, std::vector<Eigen::Vector3d>& points)
+inline void move_along_x(const double distance, const double spacing, std::vector<Vector_3>& points)
 {
   const double unit = spacing > 0 ? spacing : 1;
-  for(Eigen::Vector3d& p : points)
+  for(Vector_3& p : points)
   {
     const double multiple = std::round(p.x() / unit);
-    p.x() = spacing > 0 && p.x() == spacing * multiple ? spacing * (multiple + distance) : p.x() + unit * distance;
+    p[0] = spacing > 0 && p.x() == spacing * multiple ? spacing * (multiple + distance) : p.x() + unit * distance;
   }
 }
 
@@ -88,29 +88,26 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
   std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
   if(bodies.size() == 1)
     return { ERROR_SEVERAL_BOUNDARY_COMPONENTS };
-  Surface_map_3 result = { OK, std::vector<Eigen::Vector3d>(whole.points.size()) };
-  std::vector<Eigen::AlignedBox3d> boxes;
+  Surface_map_3 result = { OK, std::vector<Vector_3>(whole.points.size()) };
+  std::vector<Box_3> boxes;
+  double right = -(std::numeric_limits<double>::infinity)(); // of them all
   for(Separate_body_3& body : bodies)
   {
     body.surface.cells = &body.cells;
     Found_polycube_3 found = map_to_polycube_3({ body.surface, {}, spacing }, budget);
     if(found.status != OK)
       return { found.status };
-    std::vector<Eigen::Vector3d>& part = found.images;
-    Eigen::AlignedBox3d box, other_boxes;
-    for(const Eigen::Vector3d& p : part)
-      box.extend(p);
-    for(const Eigen::AlignedBox3d& other : boxes)
-      other_boxes.extend(other);
-    if(std::any_of(boxes.begin(), boxes.end(), [&](const Eigen::AlignedBox3d& other) { return box.intersects(other); }))
+    std::vector<Vector_3>& part = found.images;
+    const Box_3 box = bounding_box(part);
+    const auto meets = [&](const Box_3& other)
+    { return (box.smallest.cwiseMax(other.smallest) - box.largest.cwiseMin(other.largest)).maxCoeff() <= 0; };
+    if(std::any_of(boxes.begin(), boxes.end(), meets))
     {
-      const double distance = (other_boxes.max)().x() - (box.min)().x();
-      move_along_x(spacing > 0 ? std::ceil(distance / spacing + 1) : distance + box.sizes().x() / 8, spacing, part);
-      box.setEmpty();
-      for(const Eigen::Vector3d& p : part)
-        box.extend(p);
+      const double distance = right - box.smallest.x();
+      move_along_x(spacing > 0 ? std::ceil(distance / spacing + 1) : distance + box.diagonal().x() / 8, spacing, part);
     }
-    boxes.push_back(box);
+    boxes.push_back(bounding_box(part));
+    right = (std::max)(right, boxes.back().largest.x());
     for(std::size_t v = 0; v < part.size(); ++v)
       result.images[body.vertices[v]] = part[v];
   }
@@ -146,27 +143,27 @@ inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, c
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
-inline Surface_map_3 map_to_bounding_box_3(const Turned_surface_3& turned, const Budget& budget)
+inline Surface_map_3 map_to_bounding_box(const Turned_surface_3& turned, const Budget& budget)
 {
   const double spacing = turned.spacing;
-  Eigen::Vector3d lower = (turned.box.min)(), upper = (turned.box.max)();
+  Vector_3 lower = turned.box.smallest, upper = turned.box.largest;
   if(spacing > 0)
   {
-    const Eigen::Array3d first = (lower / spacing).array().round();
+    const auto rounded = [](const Vector_3& v) { return v.unaryExpr([](const double x) { return std::round(x); }); };
+    const Vector_3 first = rounded(lower / spacing);
     lower = spacing * first;
-    upper = spacing * ((first + 1).max)((upper / spacing).array().round());
+    upper = spacing * (first + Vector_3::Ones()).cwiseMax(rounded(upper / spacing));
   }
   const double size = (upper - lower).maxCoeff();
-  const Eigen::Vector3d half_lengths = (upper - lower) / (2 * size);
+  const Vector_3 half_lengths = (upper - lower) / (2 * size);
   Numbered_surface_3 unit_surface = turned.surface;
   unit_surface.sharp_edges.clear();
-  for(std::size_t v = 0; v < unit_surface.points.size(); ++v)
-    unit_surface.points[v] = eigen_point(turned.mesh, vertex_index(v));
+  unit_surface.points = points_of(turned.mesh);
   Surface_map_3 result;
   result.status = map_to_box_3(unit_surface, half_lengths, std::nullopt, result.images, budget);
   if(result.status != OK)
     return result;
-  for(Eigen::Vector3d& image : result.images)
+  for(Vector_3& image : result.images)
     for(int axis = 0; axis < 3; ++axis)
       image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
         : (lower[axis] + upper[axis]) / 2 + size * image[axis];
@@ -184,7 +181,7 @@ inline Found_polycube_3 map_to_any_box_3(Turned_surface_3 turned, const bool may
   const Error_code kind = check_sphere(turned.mesh);
   if(kind != OK && kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS)
     return map_to_box_or_voxels_3(turned, may_split, budget);
-  Surface_map_3 map = kind == OK ? map_to_bounding_box_3(turned, budget)
+  Surface_map_3 map = kind == OK ? map_to_bounding_box(turned, budget)
                                  : map_bodies_apart_3(turned.surface, turned.spacing, budget);
   return { map.status, turned.rotation, std::move(map.images) };
 }
@@ -234,12 +231,12 @@ inline Found_polycube_3 map_ordered_surface_3(const Polycube_problem_3& problem,
   if(const Error_code status = build_boundary_mesh_3(problem.surface, mesh); status != OK)
     return { status };
   const bool do_find_axes = problem.do_find_axes && problem.labels.empty();
-  std::vector<Turned_surface_3> frames(1, Turned_surface_3(problem.surface, mesh, Eigen::Matrix3d::Identity()));
+  std::vector<Turned_surface_3> frames(1, Turned_surface_3(problem.surface, mesh, Matrix_3::Identity()));
   if(do_find_axes)
   {
-    const std::vector<Eigen::Matrix3d> rotations = frames_of_normals_3(frames.front().mesh);
+    const std::vector<Matrix_3> rotations = frames_of_normals_3(frames.front().mesh);
     frames.clear();
-    for(const Eigen::Matrix3d& rotation : rotations)
+    for(const Matrix_3& rotation : rotations)
       frames.emplace_back(problem.surface, mesh, rotation);
   }
   const auto map = [&](const double spacing, const bool may_split)

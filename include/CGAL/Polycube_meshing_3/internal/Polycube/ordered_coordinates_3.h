@@ -22,8 +22,6 @@
 #  include <CGAL/MP_Float.h>
 #endif
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,7 +44,7 @@ using Program_number = MP_Float;
 // to be as close to given faces as planes so far apart can be.
 struct Plane_grid_3
 {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Vector_3 origin = Vector_3::Zero();
   double spacing = 0;
   bool may_move = false;
 };

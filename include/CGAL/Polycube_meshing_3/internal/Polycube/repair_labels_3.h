@@ -184,7 +184,7 @@ inline void flatten_narrow_charts_3(const Boundary_mesh_3& mesh, const double wi
     areas[charts.chart_of_face()[f]] += area_of_face(mesh, f);
   for(const auto h : mesh.halfedges())
     if(charts.chart(h) != charts.chart(mesh.opposite(h)))
-      lengths[charts.chart(h)] += (eigen_point(mesh, mesh.target(h)) - eigen_point(mesh, mesh.source(h))).norm();
+      lengths[charts.chart(h)] += edge_vector(mesh, h).norm();
   int defects = charts.number_of_defects();
   for(std::size_t c = 0; c < areas.size(); ++c)
     if(2 * areas[c] < width * lengths[c]) // as of a strip
@@ -238,14 +238,14 @@ inline Chain_fold_3 fold_of_chain(const Boundary_mesh_3& mesh, const Polycube_ch
       h = mesh.opposite(h);
   }
   const int sign = is_at_last ? chain.sign : -chain.sign;
-  const Eigen::Vector3d corner = eigen_point(mesh, mesh.source(result.line.front()));
+  const Vector_3 corner = to_vector(mesh.point(mesh.source(result.line.front())));
   double length = 0, length_of_fold = 0;
   std::size_t number = 0;
   for(std::size_t i = 0; i < result.line.size(); ++i)
   {
-    const Eigen::Vector3d p = eigen_point(mesh, mesh.target(result.line[i]));
-    length += (p - eigen_point(mesh, mesh.source(result.line[i]))).norm();
-    if(const double depth = sign * (p - corner)[chain.axis]; depth > result.depth)
+    length += edge_vector(mesh, result.line[i]).norm();
+    const Vector_3 from_corner = to_vector(mesh.point(mesh.target(result.line[i]))) - corner;
+    if(const double depth = sign * from_corner[chain.axis]; depth > result.depth)
     {
       result.depth = depth;
       length_of_fold = length;

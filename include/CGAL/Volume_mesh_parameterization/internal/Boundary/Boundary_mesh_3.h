@@ -14,15 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/property_map.h>
-
-#include <Eigen/Dense>
 
 #include <array>
 #include <cmath>
@@ -45,14 +43,14 @@ Error_code build_boundary_mesh_3(const Surface& surface, Boundary_mesh_3& mesh)
 {
   if(surface.facets.empty())
     return ERROR_EMPTY_COMPLEX;
-  for(const Eigen::Vector3d& p : surface.points)
+  for(const Vector_3& p : surface.points)
     if(!p.allFinite())
       return ERROR_NON_FINITE_COORDINATE;
   if(!Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(surface.facets))
     return ERROR_NON_MANIFOLD_BOUNDARY;
 
-  for(const Eigen::Vector3d& p : surface.points)
-    mesh.add_vertex(Boundary_point_3(p[0], p[1], p[2]));
+  for(const Vector_3& p : surface.points)
+    mesh.add_vertex(exact_point(p));
   for(const std::array<std::size_t, 3>& facet : surface.facets)
     mesh.add_face(vertex_index(facet[0]), vertex_index(facet[1]), vertex_index(facet[2]));
   return CGAL::is_closed(mesh) ? OK : ERROR_NON_MANIFOLD_BOUNDARY;
@@ -68,14 +66,14 @@ std::vector<bool> are_among(const Boundary_mesh_3& mesh, const Edges& edges)
   return result;
 }
 
-inline Eigen::Vector3d eigen_point(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Vertex_index v)
-{ return Eigen::Vector3d(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()); }
+inline Vector_3 edge_vector(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h)
+{ return to_vector(mesh.point(mesh.target(h))) - to_vector(mesh.point(mesh.source(h))); }
 
 // Returns the lengths of a path up to each of its vertices.
 template <typename Path>
 std::vector<double> arc_lengths(const Boundary_mesh_3& mesh, const Path& path)
 {
-  const auto point = [&](const std::size_t i) { return eigen_point(mesh, Boundary_mesh_3::Vertex_index(path[i])); };
+  const auto point = [&](const std::size_t i) { return to_vector(mesh.point(Boundary_mesh_3::Vertex_index(path[i]))); };
   std::vector<double> result(1, 0.);
   for(std::size_t i = 1; i < path.size(); ++i)
     result.push_back(result.back() + (point(i) - point(i - 1)).norm());
@@ -85,10 +83,10 @@ std::vector<double> arc_lengths(const Boundary_mesh_3& mesh, const Path& path)
 // Spaces the images of the vertices of a path between those of its ends, along an axis, by their distances.
 template <typename Path>
 void map_path_to_segment_3(const Boundary_mesh_3& mesh, const Path& path, const int axis,
-                           std::vector<Eigen::Vector3d>& images)
+                           std::vector<Vector_3>& images)
 {
   const std::vector<double> length = arc_lengths(mesh, path);
-  const Eigen::Vector3d first = images[path.front()], last = images[path.back()];
+  const Vector_3 first = images[path.front()], last = images[path.back()];
   for(std::size_t i = 1; i + 1 < path.size(); ++i)
   {
     const double part = length[i] / length.back();
@@ -106,7 +104,7 @@ inline std::array<Boundary_mesh_3::Vertex_index, 3> vertices_of_face(const Bound
 }
 
 inline Facet_edges_3 edges_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
-{ return edges_of_facet(vertices_of_face(mesh, f), [&](const Boundary_mesh_3::Vertex_index v) { return eigen_point(mesh, v); }); }
+{ return edges_of_facet(vertices_of_face(mesh, f), [&](const auto v) { return to_vector(mesh.point(v)); }); }
 
 inline double area_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f)
 {
@@ -114,28 +112,36 @@ inline double area_of_face(const Boundary_mesh_3& mesh, const Boundary_mesh_3::F
   return std::sqrt(CGAL::squared_area(mesh.point(a), mesh.point(b), mesh.point(c)));
 }
 
-inline Eigen::AlignedBox3d bounding_box(const Boundary_mesh_3& mesh)
+inline Box_3 bounding_box(const std::vector<Vector_3>& points)
 {
-  Eigen::AlignedBox3d box;
-  for(const auto v : mesh.vertices())
-    box.extend(eigen_point(mesh, v));
+  Box_3 box;
+  for(const Vector_3& p : points)
+    box.extend(p);
   return box;
 }
 
-// Returns the points of the surface, moved and scaled such that the longest side of their bounding box is 1.
-inline std::vector<Eigen::Vector3d> unit_points(const Boundary_mesh_3& mesh)
+inline std::vector<Vector_3> points_of(const Boundary_mesh_3& mesh)
 {
-  const Eigen::AlignedBox3d box = bounding_box(mesh);
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Vector_3> result;
   for(const auto v : mesh.vertices())
-    points.push_back((eigen_point(mesh, v) - box.center()) / box.sizes().maxCoeff());
+    result.push_back(to_vector(mesh.point(v)));
+  return result;
+}
+
+// Returns the points of the surface, moved and scaled such that the longest side of their bounding box is 1.
+inline std::vector<Vector_3> unit_points(const Boundary_mesh_3& mesh)
+{
+  std::vector<Vector_3> points = points_of(mesh);
+  const Box_3 box = bounding_box(points);
+  for(Vector_3& p : points)
+    p = (p - box.center()) / box.diagonal().maxCoeff();
   return points;
 }
 
-inline void set_points(Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& points)
+inline void set_points(Boundary_mesh_3& mesh, const std::vector<Vector_3>& points)
 {
   for(const auto v : mesh.vertices())
-    mesh.point(v) = Boundary_point_3(points[v][0], points[v][1], points[v][2]);
+    mesh.point(v) = exact_point(points[v]);
 }
 
 // Returns OK if the closed surface is a topological sphere, or else what it is instead.

@@ -92,7 +92,7 @@ protected:
                   std::vector<Mapped_boundary_3>& boundaries) const
   {
     const Numbered_surface_3 surface = surface_of(body);
-    std::vector<Eigen::Vector3d> images;
+    std::vector<Vector_3> images;
     const Error_code status = model().map(surface, given, images, budget);
     if(budget.is_exhausted()) // then the status does not matter
       return ERROR_INTERRUPTED;
@@ -104,7 +104,7 @@ protected:
   // Returns the images of a surface, whose new points come behind all others, as those of the points of the body.
   static Mapped_boundary_3 mapped_boundary(const Body_3& body, const Numbered_surface_3& surface,
                                            const std::vector<std::array<std::size_t, 2> >& splits,
-                                           const std::vector<Eigen::Vector3d>& images)
+                                           const std::vector<Vector_3>& images)
   {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const std::size_t n = surface.vertices.size(), number_of_points = body.points.size();

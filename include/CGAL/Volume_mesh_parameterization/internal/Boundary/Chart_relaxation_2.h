@@ -37,7 +37,7 @@ public:
   // of its image.
   Chart_relaxation_2(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                      const Held_coordinates& is_held, const int u, const int v,
-                     std::vector<Eigen::Vector3d>& images)
+                     std::vector<Vector_3>& images)
     : m_u(u), m_v(v), m_chart(mesh, faces)
   {
     const std::vector<Boundary_mesh_3::Vertex_index>& vertices = m_chart.vertices;
@@ -65,7 +65,7 @@ public:
   }
 
   // Returns whether this relaxation was made for these held coordinates, at their places.
-  bool was_made_for(const Held_coordinates& is_held, const std::vector<Eigen::Vector3d>& images) const
+  bool was_made_for(const Held_coordinates& is_held, const std::vector<Vector_3>& images) const
   {
     for(std::size_t i = 0; i < m_unknown.size(); ++i)
       for(const int axis : { 0, 1 })
@@ -79,7 +79,7 @@ public:
   }
 
   // Moves the vertices; only the first call does so.
-  void run(std::vector<Eigen::Vector3d>& images, const Budget& budget)
+  void run(std::vector<Vector_3>& images, const Budget& budget)
   {
     if(std::exchange(m_is_relaxed, true))
       return;
@@ -100,7 +100,7 @@ public:
     write(images);
   }
 
-  void write(std::vector<Eigen::Vector3d>& images) const
+  void write(std::vector<Vector_3>& images) const
   {
     for(std::size_t i = 0; i < m_chart.vertices.size(); ++i)
     {

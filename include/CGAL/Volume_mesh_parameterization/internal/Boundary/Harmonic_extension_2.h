@@ -15,6 +15,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/sparse_systems.h>
 
+#include <Eigen/LU>
+
 #include <memory>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -62,7 +64,7 @@ private:
       t.vertices[i] = number[v[i]];
     }
     const Facet_edges_3 X = edges_of_face(mesh, f);
-    const Eigen::Vector3d a = X[0], b = X[1];
+    const Vector_3 a = X[0], b = X[1];
     Small_matrix<2, 2> rest;
     rest << a.norm(), a.dot(b) / a.norm(), 0, a.cross(b).norm() / a.norm();
     t.to_rest = rest.inverse();
@@ -116,7 +118,7 @@ private:
     for(const Chart_triangles_2::Triangle& t : m_chart.triangles)
     {
       const Small_matrix<3, 2> gradients = t.gradients();
-      const Eigen::Matrix3d K = t.area * gradients * gradients.transpose();
+      const Small_matrix<3, 3> K = t.area * gradients * gradients.transpose();
       for(int i = 0; i < 3; ++i)
         for(int k = 0; k < 3 && m_number[t.vertices[i]] >= 0; ++k)
           visit(t.vertices[i], t.vertices[k], K(i, k));

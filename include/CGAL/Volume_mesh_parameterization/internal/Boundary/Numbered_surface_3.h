@@ -22,7 +22,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Boundary of a body, with points of its own.
 struct Numbered_surface_3
 {
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Vector_3> points;
   std::vector<std::array<std::size_t, 3> > facets; // counterclockwise as seen from outside
   std::vector<std::array<std::size_t, 2> > sharp_edges;
   std::vector<std::size_t> vertices;               // points of the body, each once, in the order of the facets

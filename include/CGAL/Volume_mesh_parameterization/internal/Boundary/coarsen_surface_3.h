@@ -105,7 +105,7 @@ struct Collapse
   double cost;
 };
 
-inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points, const int v)
+inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Vector_3>& points, const int v)
 {
   Collapse best = { v, -1, (std::numeric_limits<double>::infinity)() };
   for(const int u : rings[v])
@@ -120,7 +120,7 @@ inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Eig
 }
 
 inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& rings,
-                                                        const std::vector<Eigen::Vector3d>& points, const Budget& budget)
+                                                        const std::vector<Vector_3>& points, const Budget& budget)
 {
   std::vector<Collapse> collapses;
   for(int v = 0; v < rings.number_of_vertices(); ++v)
@@ -135,7 +135,7 @@ inline std::vector<Collapse> cheapest_half_of_collapses(const Vertex_rings_3& ri
 // Removes vertices from a triangulated sphere until a tetrahedron remains, and returns them level by level. Collapses of one
 // level do not touch each other. While there are more than four vertices, one can be collapsed. Ends early if the budget does.
 inline std::vector<std::vector<Removed_vertex> > coarsen_surface_3(Vertex_rings_3& rings,
-                                                                   const std::vector<Eigen::Vector3d>& points,
+                                                                   const std::vector<Vector_3>& points,
                                                                    const Budget& budget)
 {
   std::vector<std::vector<Removed_vertex> > levels;

@@ -22,13 +22,13 @@ inline std::size_t number_of_turned_facets(const Boundary_mesh_3& mesh, const Tr
 {
   const auto is_turned = [&](const Boundary_mesh_3::Face_index f)
   {
-    std::array<Eigen::Vector3d, 4> points; // the last one is the center
+    std::array<Vector_3, 4> points; // the last one is the center
     for(int i = 0; i < 3; ++i)
-      points[i] = eigen_point(mesh, vertices_of_face(mesh, f)[i]);
+      points[i] = to_vector(mesh.point(vertices_of_face(mesh, f)[i]));
     points[3] = (points[0] + points[1] + points[2]) / 3;
-    const Eigen::Vector3d normal = (points[1] - points[0]).cross(points[2] - points[0]);
-    return std::all_of(points.begin(), points.end(), [&](const Eigen::Vector3d& p)
-    { return normal.dot(Eigen::Vector3d(to_vector(surface.nearest_point(coordinates(p)).direction))) <= 0; });
+    const Vector_3 normal = (points[1] - points[0]).cross(points[2] - points[0]);
+    return std::all_of(points.begin(), points.end(), [&](const Vector_3& p)
+    { return normal.dot(to_vector(surface.nearest_point(coordinates(p)).direction)) <= 0; });
   };
   return static_cast<std::size_t>(std::count_if(mesh.faces().begin(), mesh.faces().end(), is_turned));
 }

@@ -87,6 +87,7 @@ public:
   bool hasNaN() const { return std::isnan(x()) || std::isnan(y()) || std::isnan(z()); }
   bool hasInf() const { return std::isinf(x()) || std::isinf(y()) || std::isinf(z()); }
   bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
+  double sum() const { return x() + y() + z(); }
   Vector_3 cwiseAbs() const { return { std::abs(x()), std::abs(y()), std::abs(z()) }; }
   Vector_3 cwiseMin(const Vector_3& w) const
   { return { (std::min)(x(), w.x()), (std::min)(y(), w.y()), (std::min)(z(), w.z()) }; }
@@ -208,6 +209,7 @@ struct Box_3
   }
   bool is_empty() const { return (largest - smallest).minCoeff() < 0; }
   Vector_3 diagonal() const { return largest - smallest; }
+  Vector_3 center() const { return (smallest + largest) / 2; }
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,10 +12,10 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
-
-#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -31,10 +31,10 @@ std::array<double, 3> coordinates(const Point& p)
 { return { CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2]) }; }
 
 template <typename Point>
-Eigen::Vector3d to_vector(const Point& p)
+Vector_3 to_vector(const Point& p)
 {
   const auto& [x, y, z] = coordinates(p);
-  return Eigen::Vector3d(x, y, z);
+  return { x, y, z };
 }
 
 template <typename Point>

@@ -39,7 +39,7 @@ public:
   {
     const std::vector<Vector_3> points = vectors_of(soup.points);
     for(const auto& [v, w] : sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; }))
-      if(leads_along_axis(vector_of(soup.images[v]), vector_of(soup.images[w])))
+      if(leads_along_axis(to_vector(soup.images[v]), to_vector(soup.images[w])))
         m_edges_of_lines.push_back({ v, w });
     build(points, m_edges_of_lines);
     find_ends(points);
@@ -79,8 +79,8 @@ public:
   // Returns the point nearest to p among those where a vertex may be.
   Vector_3 nearest(const Vector_3& p, const Freedom_3 freedom) const
   {
-    return freedom == Freedom_3::SURFACE ? vector_of(m_surface.closest_point(exact_point(p)))
-         : freedom == Freedom_3::LINE ? vector_of(m_lines.closest_point(exact_point(p))) : p;
+    return freedom == Freedom_3::SURFACE ? to_vector(m_surface.closest_point(exact_point(p)))
+         : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
   // Returns a point with the very coordinate of each plane normal to an axis that holds a facet and, up to rounding, the point.
@@ -120,7 +120,7 @@ public:
     if(freedom == Freedom_3::LINE)
     {
       const Vector_3 d
-        = vector_of(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
+        = to_vector(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
       return Matrix_3::outer_product(d, d);
     }
     return freedom == Freedom_3::SPACE ? Matrix_3::Identity() : Matrix_3::Zero();
@@ -185,7 +185,7 @@ private:
 
   static Vector_3 normal(const Kernel::Triangle_3& triangle)
   {
-    return vector_of(triangle[1] - triangle[0]).cross(vector_of(triangle[2] - triangle[0])).stableNormalized();
+    return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
   }
 
   std::vector<std::array<std::size_t, 3> > m_facets;

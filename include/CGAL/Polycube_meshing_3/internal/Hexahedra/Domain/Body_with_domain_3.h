@@ -96,7 +96,7 @@ inline Hexahedra_3 pulled_back(const Body_with_domain_3& body, const Hexahedra_3
   Hexahedra_3 result = domain;
   result.images = domain.points;
   for(std::size_t v = 0; v < domain.points.size(); ++v) // padding may leave the domain
-    result.points[v] = vector_of((preimages[v] ? preimages[v] : body.map.nearest_preimage(exact_point(domain.points[v])))->point);
+    result.points[v] = to_vector((preimages[v] ? preimages[v] : body.map.nearest_preimage(exact_point(domain.points[v])))->point);
   return result;
 }
 

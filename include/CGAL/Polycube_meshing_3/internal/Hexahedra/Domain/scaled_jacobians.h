@@ -70,7 +70,7 @@ inline bool is_positive_corner(const std::vector<Vector_3>& points, const std::a
 template <typename Point>
 Matrix_3 edge_matrix(const std::vector<Point>& points, const std::array<std::size_t, 4>& vertices)
 {
-  const auto edge = [&](const std::size_t i) { return vector_of(points[vertices[i]]) - vector_of(points[vertices[0]]); };
+  const auto edge = [&](const std::size_t i) { return to_vector(points[vertices[i]]) - to_vector(points[vertices[0]]); };
   return { edge(1), edge(2), edge(3) };
 }
 

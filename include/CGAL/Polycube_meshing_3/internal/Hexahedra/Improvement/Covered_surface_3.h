@@ -48,7 +48,7 @@ void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Tri
   for(const Vector_3& p : points)
   {
     const auto& [nearest, primitive] = tree.closest_point_and_primitive(exact_point(p));
-    f(p, vector_of(nearest), triangles[primitive - triangles_in_space.cbegin()]);
+    f(p, to_vector(nearest), triangles[primitive - triangles_in_space.cbegin()]);
   }
 }
 

@@ -29,10 +29,7 @@ using Volume_mesh_parameterization::internal::vertex_index; // not CGAL's
 
 using Surface_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
 
-inline double length(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h)
-{
-  return std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-}
+inline double length(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Halfedge_index h) { return edge_vector(mesh, h).norm(); }
 
 inline double length(const Boundary_mesh_3& mesh, const Surface_line_3& line)
 {

@@ -68,9 +68,10 @@ inline std::vector<double> coordinates_of_box_with_holes_3(const Measures_of_box
   const double y = 2 * bar + largest + rounded((std::max)(0., area / x - 2 * bar - largest));
   const double z = rounded((std::max)(bar, measures.area_of_sides / (2 * (x + y))));
 
-  Eigen::Array3d corner = -Eigen::Array3d(x, y, z) / 2;
+  Vector_3 corner = Vector_3(x, y, z) / -2;
   if(grid.spacing > 0)
-    corner = grid.origin.array() + grid.spacing * ((corner - grid.origin.array()) / grid.spacing).round();
+    for(int axis = 0; axis < 3; ++axis)
+      corner[axis] = grid.origin[axis] + grid.spacing * std::round((corner[axis] - grid.origin[axis]) / grid.spacing);
   std::vector<double> result = { corner.z() + z, corner.z() };
   double left = bar;
   for(std::size_t i = 0; i < widths.size(); ++i)

@@ -40,7 +40,7 @@ struct Map_to_box_with_holes_3
 {
   std::size_t number_of_flipped_faces = (std::numeric_limits<std::size_t>::max)(); // between edges
   std::vector<bool> has_flipped_face;                                             // for each hole
-  std::vector<Eigen::Vector3d> images;                                            // none if they are not valid
+  std::vector<Vector_3> images;                                            // none if they are not valid
   double distortion = (std::numeric_limits<double>::infinity)();
 };
 
@@ -51,7 +51,7 @@ inline Map_to_box_with_holes_3 map_to_box_between_lines_3(const Unit_surface_3& 
 {
   constexpr int maximum_number_of_attempts = 10; // a guess
   const Boundary_mesh_3& mesh = surface.mesh;
-  const double size = surface.box.sizes().maxCoeff();
+  const double size = surface.box.diagonal().maxCoeff();
   Map_to_box_with_holes_3 result;
   Box_with_holes_3 box_with_holes(mesh, lines);
   if(!box_with_holes.run(turns))

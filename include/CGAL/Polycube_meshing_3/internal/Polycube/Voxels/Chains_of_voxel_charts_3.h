@@ -131,9 +131,9 @@ inline std::vector<std::size_t> vertices_around(const Boundary_mesh_3& mesh, con
 }
 
 // Returns the sums of the normals of facets around the vertices, weighted by area.
-inline std::vector<Eigen::Vector3d> normals_of_vertices(const Split_surface_3& surface)
+inline std::vector<Vector_3> normals_of_vertices(const Split_surface_3& surface)
 {
-  std::vector<Eigen::Vector3d> result(surface.points.size(), Eigen::Vector3d::Zero());
+  std::vector<Vector_3> result(surface.points.size(), Vector_3::Zero());
   const Facets_3 facets(surface);
   for(std::size_t f = 0; f < surface.facets.size(); ++f)
     for(const std::size_t v : surface.facets[f])
@@ -147,7 +147,7 @@ inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surfa
                                                     const Chains_of_voxel_charts_3& chains)
 {
   const Boundary_mesh_3 mesh = surface.mesh();
-  const std::vector<Eigen::Vector3d> normals = normals_of_vertices(surface), normals_of_faces = faces.normals_of_points();
+  const std::vector<Vector_3> normals = normals_of_vertices(surface), normals_of_faces = faces.normals_of_points();
   std::vector<bool> is_used(surface.points.size(), false);
   std::vector<std::size_t> result;
   for(const std::size_t corner : chains.corners())
@@ -228,13 +228,13 @@ inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Spli
                                                                       const Chains_of_voxel_charts_3& chains,
                                                                       const std::vector<std::size_t>& vertices)
 {
-  const std::vector<Eigen::Vector3d> normals = normals_of_vertices(surface);
+  const std::vector<Vector_3> normals = normals_of_vertices(surface);
   std::vector<std::vector<std::size_t> > result;
   for(std::size_t i = 0; i < vertices.size(); ++i)
   {
     const std::size_t corner = chains.corners()[i], v = vertices[i];
-    const Eigen::Vector3d n = normals[v].normalized();
-    const auto direction = [&](const Eigen::Vector3d& edge) { return Eigen::Vector3d(edge - edge.dot(n) * n).normalized(); };
+    const Vector_3 n = normals[v].normalized();
+    const auto direction = [&](const Vector_3& edge) { return Vector_3(edge - edge.dot(n) * n).normalized(); };
     const std::vector<std::size_t> around = vertices_around(mesh, v);
     std::vector<std::vector<double> > costs;
     for(const std::size_t end : chains.ends(corner))

@@ -44,7 +44,7 @@ public:
       }
     m_on_chains.assign(on_chains.begin(), on_chains.end());
     for(const std::size_t p : m_on_chains)
-      m_nearest.add(m_points[p], Eigen::Vector3d::Zero());
+      m_nearest.add(m_points[p], Vector_3::Zero());
   }
 
   // Halves the lengths at some points of chains. Returns whether there was one that has not been halved too often.
@@ -60,16 +60,16 @@ public:
     return has_changed;
   }
 
-  double operator()(const Eigen::Vector3d& p) const
+  double operator()(const Vector_3& p) const
   {
-    const std::size_t nearest = m_on_chains[m_nearest.nearest(p, Eigen::Vector3d::Zero())];
+    const std::size_t nearest = m_on_chains[m_nearest.nearest(p, Vector_3::Zero())];
     return (std::max)(m_lengths[nearest], (m_points[nearest] - p).norm());
   }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<Vector_3>& m_points;
   std::vector<double> m_lengths; // at the points
   double m_least;
   std::vector<std::size_t> m_on_chains; // points

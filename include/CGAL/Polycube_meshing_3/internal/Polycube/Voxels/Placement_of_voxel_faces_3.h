@@ -30,9 +30,9 @@ public:
   // Takes the distance that counts as much as a right angle between normals.
   explicit Nearest_with_normal_3(const double weight) : m_weight(weight) {}
 
-  void add(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) { m_tree.insert(joined(p, normal, m_tree.size())); }
+  void add(const Vector_3& p, const Vector_3& normal) { m_tree.insert(joined(p, normal, m_tree.size())); }
 
-  std::size_t nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
+  std::size_t nearest(const Vector_3& p, const Vector_3& normal) const
   { return Search(m_tree, joined(p, normal, 0), 1).begin()->first.number; }
 
 private:
@@ -51,9 +51,9 @@ private:
 
   using Search = Orthogonal_k_neighbor_search<Search_traits<double, Point_6, const double*, Coordinates, Dimension_tag<6> > >;
 
-  Point_6 joined(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const std::size_t number) const
+  Point_6 joined(const Vector_3& p, const Vector_3& normal, const std::size_t number) const
   {
-    const Eigen::Vector3d n = m_weight * normal;
+    const Vector_3 n = m_weight * normal;
     return { { p[0], p[1], p[2], n[0], n[1], n[2] }, number };
   }
 
@@ -100,7 +100,7 @@ public:
 private:
   static void smooth(Voxel_faces_3& faces)
   {
-    std::vector<Eigen::Vector3d> sums(faces.points.size(), Eigen::Vector3d::Zero());
+    std::vector<Vector_3> sums(faces.points.size(), Vector_3::Zero());
     std::vector<double> numbers(faces.points.size(), 0);
     for(const std::array<std::size_t, 4>& c : faces.corners)
       for(std::size_t k = 0; k < 4; ++k) // each edge once in each direction
@@ -114,14 +114,14 @@ private:
 
   void project(Voxel_faces_3& faces, const double part) const
   {
-    const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+    const std::vector<Vector_3> normals = faces.normals_of_points();
     for(std::size_t v = 0; v < faces.points.size(); ++v)
     {
-      Eigen::Vector3d& p = faces.points[v];
+      Vector_3& p = faces.points[v];
       const std::size_t f = m_nearest.nearest(p, normals[v]);
-      Eigen::Vector3d to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
+      Vector_3 to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
       if(const double distance = to.norm(); distance > m_spacing / 2)
-        to *= m_spacing / 2 / distance; // the plane may leave the surface
+        to = m_spacing / 2 / distance * to; // the plane may leave the surface
       p += part * (m_facets.centers[f] + to - p);
     }
   }
@@ -134,7 +134,7 @@ private:
     {
       const auto point = [&](const std::size_t k) { return faces.points[c[k % 4]]; };
       const std::size_t f
-        = m_nearest_in_position.nearest((point(0) + point(1) + point(2) + point(3)) / 4, Eigen::Vector3d::Zero());
+        = m_nearest_in_position.nearest((point(0) + point(1) + point(2) + point(3)) / 4, Vector_3::Zero());
       bool is_folded = false;
       for(std::size_t k = 0; k < 4; ++k)
         is_folded = is_folded
@@ -154,13 +154,13 @@ inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, co
 {
   constexpr std::size_t samples = 5; // along each edge; a guess
   Nearest_with_normal_3 nearest(spacing);
-  const std::vector<Eigen::Vector3d> normals = faces.normals_of_points();
+  const std::vector<Vector_3> normals = faces.normals_of_points();
   for(const std::array<std::size_t, 4>& c : faces.corners)
     for(std::size_t i = 0; i < samples; ++i)
       for(std::size_t j = 0; j < samples; ++j)
       {
         const double u = (static_cast<double>(i) + 0.5) / samples, v = (static_cast<double>(j) + 0.5) / samples;
-        const auto bilinear = [&](const std::vector<Eigen::Vector3d>& values) -> Eigen::Vector3d
+        const auto bilinear = [&](const std::vector<Vector_3>& values) -> Vector_3
         {
           return (1 - v) * ((1 - u) * values[c[0]] + u * values[c[1]]) + v * (u * values[c[2]] + (1 - u) * values[c[3]]);
         };

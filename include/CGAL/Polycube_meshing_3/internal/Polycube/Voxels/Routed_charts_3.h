@@ -105,13 +105,13 @@ private:
   }
 
   // Returns how much longer a path is at a vertex that is off the chain of the faces.
-  double factor(const Eigen::Vector3d& p, const Chain_of_voxel_charts_3& chain) const
+  double factor(const Vector_3& p, const Chain_of_voxel_charts_3& chain) const
   {
     constexpr double weight = 20; // a guess
     double least = (std::numeric_limits<double>::infinity)();
     for(std::size_t i = 1; i < chain.points.size(); ++i)
     {
-      const Eigen::Vector3d &a = m_faces.points[chain.points[i - 1]], edge = m_faces.points[chain.points[i]] - a;
+      const Vector_3 &a = m_faces.points[chain.points[i - 1]], edge = m_faces.points[chain.points[i]] - a;
       const double t = edge.squaredNorm() > 0 ? (std::min)((std::max)((p - a).dot(edge) / edge.squaredNorm(), 0.), 1.) : 0;
       least = (std::min)(least, (a + t * edge - p).squaredNorm());
     }

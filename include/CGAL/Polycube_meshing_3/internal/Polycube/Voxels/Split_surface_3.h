@@ -28,7 +28,7 @@ struct Split_surface_3
 {
   using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
 
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Vector_3> points;
   std::vector<std::array<std::size_t, 3> > facets;
   std::vector<std::array<std::size_t, 2> > splits = {}; // edges whose midpoints were appended to the points, one after the other
   std::set<Edge> sharp_edges = {};
@@ -89,7 +89,7 @@ struct Split_surface_3
   }
 
   void split_edges_longer_than(const double maximum_length)
-  { split_long_edges([maximum_length](const Eigen::Vector3d&) { return maximum_length; }); }
+  { split_long_edges([maximum_length](const Vector_3&) { return maximum_length; }); }
 
 private:
   // Adds the longest edge of each facet that has an edge among some.
@@ -134,15 +134,15 @@ private:
 // Measures of the facets of a surface.
 struct Facets_3
 {
-  std::vector<Eigen::Vector3d> centers, normals; // unit normals, or 0
+  std::vector<Vector_3> centers, normals; // unit normals, or 0
   std::vector<double> areas;
 
   explicit Facets_3(const Split_surface_3& surface)
   {
     for(const auto& [a, b, c] : surface.facets)
     {
-      const Eigen::Vector3d &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
-      const Eigen::Vector3d n = (q - p).cross(r - p) / 2;
+      const Vector_3 &p = surface.points[a], &q = surface.points[b], &r = surface.points[c];
+      const Vector_3 n = (q - p).cross(r - p) / 2;
       areas.push_back(n.norm());
       normals.push_back(n.normalized());
       centers.push_back((p + q + r) / 3);

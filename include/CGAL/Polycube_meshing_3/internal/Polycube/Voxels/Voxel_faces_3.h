@@ -85,7 +85,7 @@ struct Voxel_faces_3
   std::vector<std::size_t> faces;
   std::vector<std::array<std::size_t, 4> > corners;   // counterclockwise seen from outside
   std::vector<std::array<std::size_t, 4> > neighbors; // across the edges that begin at these corners
-  std::vector<Eigen::Vector3d> points;
+  std::vector<Vector_3> points;
 
   explicit Voxel_faces_3(const Voxels_3& voxels) : faces(boundary_faces(voxels))
   {
@@ -106,20 +106,20 @@ struct Voxel_faces_3
     find_neighbors();
   }
 
-  Eigen::Vector3d normal(const std::size_t i) const // of the length of twice the area
+  Vector_3 normal(const std::size_t i) const // of the length of twice the area
   {
     const auto& [a, b, c, d] = corners[i];
     return (points[c] - points[a]).cross(points[d] - points[b]);
   }
 
-  std::vector<Eigen::Vector3d> normals_of_points() const
+  std::vector<Vector_3> normals_of_points() const
   {
-    std::vector<Eigen::Vector3d> result(points.size(), Eigen::Vector3d::Zero());
+    std::vector<Vector_3> result(points.size(), Vector_3::Zero());
     for(std::size_t i = 0; i < corners.size(); ++i)
       for(const std::size_t v : corners[i])
         result[v] += normal(i);
-    for(Eigen::Vector3d& n : result)
-      n.normalize(); // a zero vector stays
+    for(Vector_3& n : result)
+      n = n.normalized(); // a zero vector stays
     return result;
   }
 

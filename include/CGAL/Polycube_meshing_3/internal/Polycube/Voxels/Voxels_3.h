@@ -13,8 +13,9 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ struct Voxels_3
 {
   Eigen::Vector3i size = Eigen::Vector3i::Zero();     // numbers of voxels along the axes
   double spacing = 0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   // lowest corner of the box
+  Vector_3 origin = Vector_3::Zero();   // lowest corner of the box
   std::vector<double> parts;                          // part of each voxel that is inside of a surface
   std::vector<bool> is_inside;                        // whether each voxel belongs to the body
 
@@ -72,9 +73,9 @@ public:
       m_heights(static_cast<std::size_t>(m_size[0] * m_size[1]))
   {}
 
-  void add_crossings(const std::array<Eigen::Vector3d, 3>& triangle)
+  void add_crossings(const std::array<Vector_3, 3>& triangle)
   {
-    const Eigen::Vector3d a = scaled(triangle[0]), b = scaled(triangle[1]), c = scaled(triangle[2]);
+    const Vector_3 a = scaled(triangle[0]), b = scaled(triangle[1]), c = scaled(triangle[2]);
     const double area = cross_product(b - a, c - a);
     if(area == 0)
       return;
@@ -88,7 +89,7 @@ public:
     for(int j = lo[1]; j <= hi[1]; ++j)
       for(int i = lo[0]; i <= hi[0]; ++i)
       {
-        const Eigen::Vector3d p(i, j, 0);
+        const Vector_3 p(i, j, 0);
         const double u = cross_product(b - p, c - p) / area, v = cross_product(c - p, a - p) / area, w = 1 - u - v;
         if(u >= 0 && v >= 0 && w >= 0)
           m_heights[static_cast<std::size_t>(j * m_size[0] + i)].push_back(u * a[2] + v * b[2] + w * c[2]);
@@ -112,13 +113,13 @@ public:
   }
 
 private:
-  static double cross_product(const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return p[0] * q[1] - p[1] * q[0]; }
+  static double cross_product(const Vector_3& p, const Vector_3& q) { return p[0] * q[1] - p[1] * q[0]; }
 
   // Returns coordinates in which samples have whole numbers. They are shifted a little, so that lines miss regular vertices.
-  Eigen::Vector3d scaled(const Eigen::Vector3d& p) const
-  { return (p - m_origin) / m_spacing - Eigen::Vector3d(0.5 + 1.234e-4, 0.5 - 2.345e-4, 0.5); }
+  Vector_3 scaled(const Vector_3& p) const
+  { return (p - m_origin) / m_spacing - Vector_3(0.5 + 1.234e-4, 0.5 - 2.345e-4, 0.5); }
 
-  Eigen::Vector3d m_origin;
+  Vector_3 m_origin;
   double m_spacing;
   std::array<int, 2> m_size;
   std::vector<std::vector<double> > m_heights;
@@ -126,16 +127,15 @@ private:
 
 // Returns the voxels of which more than a part is inside of a closed surface. The grid is shifted by parts of a voxel.
 template <typename Facets>
-Voxels_3 voxels_of_surface_3(const std::vector<Eigen::Vector3d>& points, const Facets& facets, const double spacing,
-                             const Eigen::Vector3d& shift, const double least_part)
+Voxels_3 voxels_of_surface_3(const std::vector<Vector_3>& points, const Facets& facets, const double spacing,
+                             const Vector_3& shift, const double least_part)
 {
   constexpr int free_layers = 3; // on each side: charts may move outward, and voxels may be added where the body is pinched
-  Eigen::AlignedBox3d box;
-  for(const Eigen::Vector3d& p : points)
-    box.extend(p);
+  const Box_3 box = bounding_box(points);
   Voxels_3 voxels;
   voxels.spacing = spacing;
-  voxels.size = (box.sizes() / spacing).array().ceil().cast<int>() + 2 * free_layers;
+  for(int axis = 0; axis < 3; ++axis)
+    voxels.size[axis] = static_cast<int>(std::ceil(box.diagonal()[axis] / spacing)) + 2 * free_layers;
   voxels.origin = box.center() - spacing / 2 * voxels.size.cast<double>() + spacing * shift;
   voxels.parts.assign(static_cast<std::size_t>(voxels.size.prod()), 0);
   Columns_of_voxels_3 columns(voxels);

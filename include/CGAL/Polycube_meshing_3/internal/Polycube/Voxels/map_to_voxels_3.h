@@ -71,7 +71,7 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
 struct Map_to_voxels_3
 {
   std::vector<std::array<std::size_t, 2> > splits;
-  std::vector<Eigen::Vector3d> images; // also of the midpoints; none if there is no map
+  std::vector<Vector_3> images; // also of the midpoints; none if there is no map
   double distortion = (std::numeric_limits<double>::infinity)(); // mean over the area
 };
 
@@ -124,7 +124,7 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
   std::vector<std::size_t> labels;
   for(const std::size_t c : drawn.chart_of_facet)
     labels.push_back(polycube.label_of_chart[c]);
-  const double size = surface.box.sizes().maxCoeff();
+  const double size = surface.box.diagonal().maxCoeff();
   const std::vector<double> coordinates
     = coordinates_of_voxel_charts_3(Facets_3(drawn.surface), drawn.chart_of_facet, polycube.label_of_chart,
                                     polycube.plane_of_chart, gap * polycube.size_of_voxels,
@@ -171,7 +171,7 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
       if(number_of_maps == maximum_number_of_maps || !budget.may_begin_round(Phase::BOUNDARY, "polycubes of voxels"))
         return best;
       const double size_of_voxels = 1. / number, x = shift(), y = shift(), z = shift();
-      const Eigen::Vector3d offset = attempt == 0 ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(x, y, z);
+      const Vector_3 offset = attempt == 0 ? Vector_3(0, 0, 0) : Vector_3(x, y, z);
       Voxels_3 voxels
         = voxels_of_surface_3(unsplit.points, unsplit.facets, size_of_voxels, offset, least_parts[attempt]);
       if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))

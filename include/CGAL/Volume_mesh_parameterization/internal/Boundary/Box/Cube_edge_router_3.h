@@ -28,7 +28,7 @@ using Sorted_edges = std::vector<std::array<std::size_t, 2> >;
 
 // Returns the shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end, which
 // is infinite for vertices that the path may not touch; the cost of the target does not matter. Cheap edges cost less.
-inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
+inline std::vector<int> shortest_vertex_path_3(const Vertex_rings_3& rings, const std::vector<Vector_3>& points,
                                                const int source, const int target, const std::vector<double>& costs,
                                                const Sorted_edges& cheap, const Budget& budget)
 {
@@ -98,7 +98,7 @@ inline int next_axis_around_corner(const int corner, const int axis)
 class Cube_edge_router_3
 {
 public:
-  Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Eigen::Vector3d>& points,
+  Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Vector_3>& points,
                      const std::array<int, 8>& corners, const Sorted_edges& sharp_edges, const Budget& budget)
     : m_rings(rings), m_points(points), m_corners(corners), m_sharp_edges(sharp_edges), m_budget(budget), m_edges(cube_edges())
   {}
@@ -251,7 +251,7 @@ private:
   }
 
   const Vertex_rings_3& m_rings;
-  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<Vector_3>& m_points;
   const std::array<int, 8> m_corners;
   const Sorted_edges m_sharp_edges;
   const Budget& m_budget;

@@ -23,8 +23,8 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Maps a topological sphere onto the boundary of a box around the origin. Without corners, eight vertices are chosen.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
-                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
+Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_lengths,
+                        const std::optional<std::array<int, 8> >& corners, std::vector<Vector_3>& images,
                         const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -28,24 +28,23 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns the points, moved and scaled such that their bounding box becomes the cube [-1, 1]^3.
-inline std::vector<Eigen::Vector3d> in_bounding_cube(std::vector<Eigen::Vector3d> points)
+inline std::vector<Vector_3> in_bounding_cube(std::vector<Vector_3> points)
 {
-  Eigen::AlignedBox3d box;
-  for(const Eigen::Vector3d& point : points)
-    box.extend(point);
-  const Eigen::Vector3d sizes = box.sizes().cwiseMax((std::numeric_limits<double>::min)());
-  for(Eigen::Vector3d& point : points)
-    point = 2 * (point - box.center()).cwiseQuotient(sizes);
+  const Box_3 box = bounding_box(points);
+  const Vector_3 sizes = box.diagonal().cwiseMax(Vector_3::Constant((std::numeric_limits<double>::min)()));
+  for(Vector_3& point : points)
+    for(int axis = 0; axis < 3; ++axis)
+      point[axis] = 2 * ((point[axis] - box.center()[axis]) / sizes[axis]);
   return points;
 }
 
 // Returns the corner with positive coordinates of the box in the unit sphere whose faces, seen from the center, have solid
 // angles in the ratio of the areas of another box. The angle of the face normal to the third axis of a box with corner
 // (a, b, c) is 4 atan(a b / c).
-inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
+inline Vector_3 corner_on_sphere(const Vector_3& half_lengths)
 {
-  const Eigen::Vector3d areas = half_lengths.minCoeff() * half_lengths.cwiseInverse();
-  Eigen::Vector3d corner;
+  const Vector_3 areas = half_lengths.minCoeff() * half_lengths.unaryExpr([](const double x) { return 1 / x; });
+  Vector_3 corner;
   for(int axis = 0; axis < 3; ++axis)
   {
     const double t = std::tan(CGAL_PI / 2 * areas[(axis + 1) % 3] / areas.sum());
@@ -57,23 +56,23 @@ inline Eigen::Vector3d corner_on_sphere(const Eigen::Vector3d& half_lengths)
 
 // Returns eight different vertices for the corners of a box, by two measures: on the sphere, the charts between them have
 // areas in the ratio of the faces of the box; in space, the vertices are close to the corners of the bounding box.
-inline std::array<int, 8> cube_corners_3(const std::vector<Eigen::Vector3d>& points,
-                                         const std::vector<Eigen::Vector3d>& images,
-                                         const Eigen::Vector3d& half_lengths)
+inline std::array<int, 8> cube_corners_3(const std::vector<Vector_3>& points,
+                                         const std::vector<Vector_3>& images,
+                                         const Vector_3& half_lengths)
 {
   const double weight_of_box = 0.3; // lowered the distortion most over organic and mechanical models
-  const std::vector<Eigen::Vector3d> cube_points = in_bounding_cube(points);
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero(); // turns the images into the directions of the points (Kabsch)
+  const std::vector<Vector_3> cube_points = in_bounding_cube(points);
+  Matrix_3 covariance = Matrix_3::Zero(); // turns the images into the directions of the points (Kabsch)
   for(std::size_t v = 0; v < cube_points.size(); ++v)
-    covariance += cube_points[v] * images[v].transpose();
-  const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
-  const Eigen::Vector3d positive_corner = corner_on_sphere(half_lengths);
+    covariance += Matrix_3::outer_product(cube_points[v], images[v]);
+  const Matrix_3 rotation = rotation_and_stretch_3(covariance).rotation;
+  const Vector_3 positive_corner = corner_on_sphere(half_lengths);
   std::array<int, 8> corners = {};
   std::vector<bool> is_corner(points.size(), false);
   for(int k = 0; k < 8; ++k)
   {
-    const Eigen::Vector3d corner(side_of_corner(k, 0), side_of_corner(k, 1), side_of_corner(k, 2));
-    const Eigen::Vector3d direction = rotation.transpose() * corner.cwiseProduct(positive_corner);
+    const Vector_3 corner(side_of_corner(k, 0), side_of_corner(k, 1), side_of_corner(k, 2));
+    const Vector_3 direction = rotation.transpose() * (Matrix_3::diagonal(positive_corner) * corner);
     double largest = -(std::numeric_limits<double>::infinity)();
     for(std::size_t v = 0; v < images.size(); ++v)
     {
@@ -95,14 +94,14 @@ struct Box_boundary_3
 {
   static constexpr double curvature = 0; // faces and edges are flat
 
-  Eigen::Vector3d half_lengths;
+  Vector_3 half_lengths;
 
-  bool is_on_side(const Eigen::Vector3d& image, const int axis) const { return std::abs(image[axis]) == half_lengths[axis]; }
+  bool is_on_side(const Vector_3& image, const int axis) const { return std::abs(image[axis]) == half_lengths[axis]; }
 
   double area() const
   { return 8 * (half_lengths[0] * half_lengths[1] + half_lengths[1] * half_lengths[2] + half_lengths[2] * half_lengths[0]); }
 
-  Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const
+  Small_matrix<3, 2> tangents(const Vector_3& image) const
   {
     Small_matrix<3, 2> result = Small_matrix<3, 2>::Zero();
     int column = 0;
@@ -112,10 +111,10 @@ struct Box_boundary_3
     return result;
   }
 
-  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return image + step; }
+  Vector_3 move(const Vector_3& image, const Vector_3& step) const { return image + step; }
 
   // Returns the distance from the origin of the face that contains the triangle.
-  double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const
+  double height(const Vector_3& a, const Vector_3& b, const Vector_3& c) const
   {
     for(int axis = 0; axis < 3; ++axis)
       if(is_on_side(a, axis) && a[axis] == b[axis] && a[axis] == c[axis])
@@ -126,7 +125,7 @@ struct Box_boundary_3
 
 // Maps the charts between the paths, which have their images, to faces of the box.
 inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<bool>& is_on_path, const std::vector<bool>& is_held,
-                              std::vector<Eigen::Vector3d>& images, const Budget& budget)
+                              std::vector<Vector_3>& images, const Budget& budget)
 {
   std::vector<std::size_t> chart_of_face(mesh.number_of_faces());
   std::vector<std::vector<Boundary_mesh_3::Face_index> > charts(Polygon_mesh_processing::connected_components(
@@ -140,15 +139,15 @@ inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<boo
     is_held_along.push_back({ is, is, is });
   for(const auto& faces : charts)
   {
-    Eigen::AlignedBox3d border;
+    Box_3 border;
     for(const auto f : faces)
       for(const auto v : vertices_of_face(mesh, f))
         if(is_held[v])
           border.extend(images[v]);
-    int axis;
-    if(budget.is_exhausted() || border.sizes().minCoeff(&axis) != 0)
+    const int axis = (-border.diagonal()).largest_index();
+    if(budget.is_exhausted() || border.diagonal()[axis] != 0)
       return false;
-    const double height = (border.min)()[axis];
+    const double height = border.smallest[axis];
     for(const auto f : faces)
       for(const auto v : vertices_of_face(mesh, f))
         images[v][axis] = height;
@@ -162,13 +161,13 @@ inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<boo
 // the surface become the edges of the box, and the charts between them its faces. Lengths on the sphere guide the paths and
 // the first map of the charts, as long thin parts of the surface are compact there. The last step lowers the distortion of
 // the map from the surface itself.
-inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& sphere,
-                                      const Eigen::Vector3d& half_lengths, const std::array<int, 8>& corners,
-                                      const Cube_edge_router_3& router, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& sphere,
+                                      const Vector_3& half_lengths, const std::array<int, 8>& corners,
+                                      const Cube_edge_router_3& router, std::vector<Vector_3>& images, const Budget& budget)
 {
   Boundary_mesh_3 sphere_mesh = mesh;
   set_points(sphere_mesh, sphere);
-  images.assign(sphere.size(), Eigen::Vector3d::Zero());
+  images.assign(sphere.size(), Vector_3::Zero());
   for(int k = 0; k < 8; ++k)
     for(int axis = 0; axis < 3; ++axis)
       images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
@@ -186,7 +185,7 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
   if(!map_charts_to_box(sphere_mesh, is_on_path, is_held, images, budget))
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const std::vector<Vector_3> points = unit_points(mesh);
   const Box_boundary_3 domain = { half_lengths };
   Radial_map_3<Box_boundary_3>(Vertex_rings_3(mesh), points, images, domain, budget).relax(100, 1e-4);
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
@@ -195,29 +194,29 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
 // Maps a topological sphere to a box by the shortest paths, and by paths that prefer sharp edges if these differ. Takes the map
 // of less distortion.
 inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_edges& sharp_edges,
-                                    const Eigen::Vector3d& half_lengths, const std::optional<std::array<int, 8> >& given_corners,
-                                    std::vector<Eigen::Vector3d>& images, const Budget& budget)
+                                    const Vector_3& half_lengths, const std::optional<std::array<int, 8> >& given_corners,
+                                    std::vector<Vector_3>& images, const Budget& budget)
 {
   if(mesh.number_of_vertices() < 8)
     return ERROR_BOUNDARY_TOO_COARSE;
-  std::vector<Eigen::Vector3d> sphere;
+  std::vector<Vector_3> sphere;
   if(const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget); status != OK)
     return status;
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const std::vector<Vector_3> points = unit_points(mesh);
   const std::array<int, 8> corners = given_corners ? *given_corners : cube_corners_3(points, sphere, half_lengths);
   const Vertex_rings_3 rings(mesh);
   Cube_edge_router_3 router(rings, sphere, corners, {}, budget), along_edges(rings, sphere, corners, sharp_edges, budget);
-  const auto map = [&](const Cube_edge_router_3& paths, std::vector<Eigen::Vector3d>& result)
+  const auto map = [&](const Cube_edge_router_3& paths, std::vector<Vector_3>& result)
   { return map_sphere_to_box_3(mesh, sphere, half_lengths, corners, paths, result, budget); };
   const Error_code status = router.run() ? map(router, images)
     : Cube_edge_router_3(rings, sphere, mirrored(corners), {}, budget).run() ? ERROR_MIRRORED_CORNERS : ERROR_BOUNDARY_TOO_COARSE;
-  std::vector<Eigen::Vector3d> others;
+  std::vector<Vector_3> others;
   if(sharp_edges.empty() || !along_edges.run() || along_edges.has_paths_of(router) || map(along_edges, others) != OK)
     return status;
   std::vector<std::array<Boundary_mesh_3::Vertex_index, 3> > facets;
   for(const auto f : mesh.faces())
     facets.push_back(vertices_of_face(mesh, f));
-  const auto distortion = [&](const std::vector<Eigen::Vector3d>& of_vertices)
+  const auto distortion = [&](const std::vector<Vector_3>& of_vertices)
   { return facet_distortion_3(facets, [&](const auto v) { return points[v]; }, [&](const auto v) { return of_vertices[v]; }); };
   if(status == OK && distortion(images) <= distortion(others))
     return status;
@@ -226,8 +225,8 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_ed
 }
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
-Error_code map_to_box_3(const Numbered_surface_3& surface, const Eigen::Vector3d& half_lengths,
-                        const std::optional<std::array<int, 8> >& corners, std::vector<Eigen::Vector3d>& images,
+Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_lengths,
+                        const std::optional<std::array<int, 8> >& corners, std::vector<Vector_3>& images,
                         const Budget& budget)
 {
   Boundary_mesh_3 mesh;

@@ -20,30 +20,29 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Returns POSITIVE if the triangle is counterclockwise as seen from outside, the origin being inside; decided exactly.
-inline Orientation radial_orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+inline Orientation radial_orientation(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
-  const auto point = [](const Eigen::Vector3d& p) { return Boundary_point_3(p[0], p[1], p[2]); };
-  return CGAL::orientation(Boundary_point_3(0, 0, 0), point(a), point(b), point(c));
+  return CGAL::orientation(Boundary_point_3(0, 0, 0), exact_point(a), exact_point(b), exact_point(c));
 }
 
 // Returns whether the central projection of the image onto a sphere is one to one. If all triangles are positive, the
 // projection covers the sphere everywhere equally often, and a count in one direction suffices.
-inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vector<Eigen::Vector3d>& images)
+inline bool is_radially_bijective_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& images)
 {
-  std::vector<std::array<Eigen::Vector3d, 3> > triangles;
+  std::vector<std::array<Vector_3, 3> > triangles;
   for(const auto f : mesh.faces())
   {
     const auto [a, b, c] = vertices_of_face(mesh, f);
     triangles.push_back({ images[a], images[b], images[c] });
   }
-  const Eigen::Vector3d direction = triangles[0][0] + triangles[0][1] + triangles[0][2];
-  const auto is_in_direction = [&](const std::array<Eigen::Vector3d, 3>& t)
+  const Vector_3 direction = triangles[0][0] + triangles[0][1] + triangles[0][2];
+  const auto is_in_direction = [&](const std::array<Vector_3, 3>& t)
   {
     return radial_orientation(t[0], t[1], direction) != NEGATIVE
            && radial_orientation(t[1], t[2], direction) != NEGATIVE
            && radial_orientation(t[2], t[0], direction) != NEGATIVE;
   };
-  const auto is_positive = [](const std::array<Eigen::Vector3d, 3>& t)
+  const auto is_positive = [](const std::array<Vector_3, 3>& t)
   { return radial_orientation(t[0], t[1], t[2]) == POSITIVE; };
   return std::all_of(triangles.begin(), triangles.end(), is_positive)
          && std::count_if(triangles.begin(), triangles.end(), is_in_direction) == 1;
@@ -57,8 +56,8 @@ class Radial_distortion_3
 {
 public:
   // Takes the area of the source pqr times `scale` as the weight.
-  Radial_distortion_3(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Eigen::Vector3d& r, const double scale,
-                      const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+  Radial_distortion_3(const Vector_3& p, const Vector_3& q, const Vector_3& r, const double scale,
+                      const Vector_3& b, const Vector_3& c)
     : m_b(b), m_c(c)
   {
     double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm(), rp = (p - r).squaredNorm();
@@ -74,46 +73,46 @@ public:
     m_normal = b.cross(c) / (2 * scale * area);
   }
 
-  double value(const Eigen::Vector3d& a) const
+  double value(const Vector_3& a) const
   {
     const double d = a.dot(m_normal);
     return (d > 0) ? dirichlet(a) * (1 + 1 / (d * d)) : (std::numeric_limits<double>::infinity)();
   }
 
-  void add_derivatives(const Eigen::Vector3d& a, Eigen::Vector3d& gradient, Eigen::Matrix3d& hessian) const
+  void add_derivatives(const Vector_3& a, Vector_3& gradient, Matrix_3& hessian) const
   {
     const double d = 1 / a.dot(m_normal);
     const double q = dirichlet(a);
-    const Eigen::Vector3d q_gradient = m_cotangent_b * (a - m_c) + m_cotangent_c * (a - m_b);
-    const Eigen::Matrix3d mixed = q_gradient * m_normal.transpose();
+    const Vector_3 q_gradient = m_cotangent_b * (a - m_c) + m_cotangent_c * (a - m_b);
+    const Matrix_3 mixed = Matrix_3::outer_product(q_gradient, m_normal);
     gradient += (1 + d * d) * q_gradient - 2 * q * d * d * d * m_normal;
-    hessian += (1 + d * d) * (m_cotangent_b + m_cotangent_c) * Eigen::Matrix3d::Identity()
+    hessian += (1 + d * d) * (m_cotangent_b + m_cotangent_c) * Matrix_3::Identity()
              - 2 * d * d * d * (mixed + mixed.transpose())
-             + 6 * q * d * d * d * d * m_normal * m_normal.transpose();
+             + Matrix_3::outer_product(6 * q * d * d * d * d * m_normal, m_normal);
   }
 
 private:
-  double dirichlet(const Eigen::Vector3d& a) const
+  double dirichlet(const Vector_3& a) const
   { return m_constant + ((m_cotangent_b * (a - m_c).squaredNorm()) + m_cotangent_c * (a - m_b).squaredNorm()) / 2; }
 
-  Eigen::Vector3d m_b, m_c, m_normal;
+  Vector_3 m_b, m_c, m_normal;
   double m_constant, m_cotangent_b, m_cotangent_c;
 };
 
 // Map of a surface onto a surface around the origin, such that the image of each triangle is seen from inside.
 //
 // A `Domain` determines where the image of a vertex may move:
-//   Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const;   // columns may be zero
-//   Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& tangential_step) const;
+//   Small_matrix<3, 2> tangents(const Vector_3& image) const;   // columns may be zero
+//   Vector_3 move(const Vector_3& image, const Vector_3& tangential_step) const;
 //   static constexpr double curvature;
-//   double height(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) const;   // the distance
+//   double height(const Vector_3& a, const Vector_3& b, const Vector_3& c) const;   // the distance
 //     from the origin of the tangent plane at these images of vertices
 //   double area() const;
 template <typename Domain>
 class Radial_map_3
 {
 public:
-  using Points = std::vector<Eigen::Vector3d>;
+  using Points = std::vector<Vector_3>;
 
   Radial_map_3(const Vertex_rings_3& rings, const Points& points, Points& images, const Domain& domain,
                const Budget& budget)
@@ -130,7 +129,7 @@ public:
   }
 
   // Returns whether all triangles around v are positive, as seen from the origin, with this image of v.
-  bool is_admissible(const int v, const Eigen::Vector3d& image) const
+  bool is_admissible(const int v, const Vector_3& image) const
   {
     const std::vector<int>& ring = m_rings[v];
     for(std::size_t i = 0; i < ring.size(); ++i)
@@ -143,12 +142,12 @@ public:
   double relax(const int v)
   {
     collect_triangles(v);
-    const Eigen::Vector3d image = m_images[v];
+    const Vector_3 image = m_images[v];
     const double before = distortion(image);
-    const Eigen::Vector3d step = newton_step(image);
+    const Vector_3 step = newton_step(image);
     for(double length = 1; length > 1e-4; length /= 2)
     {
-      const Eigen::Vector3d candidate = m_domain.move(image, length * step);
+      const Vector_3 candidate = m_domain.move(image, length * step);
       const double after = distortion(candidate);
       if(after < before && is_admissible(v, candidate))
       {
@@ -203,7 +202,7 @@ private:
     });
   }
 
-  double distortion(const Eigen::Vector3d& image) const
+  double distortion(const Vector_3& image) const
   {
     double sum = 0;
     for(const Radial_distortion_3& triangle : m_triangles)
@@ -212,19 +211,19 @@ private:
   }
 
   // Returns a direction of descent: the Hessian has the absolute values of its eigenvalues.
-  Eigen::Vector3d newton_step(const Eigen::Vector3d& image) const
+  Vector_3 newton_step(const Vector_3& image) const
   {
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    Vector_3 gradient = Vector_3::Zero();
+    Matrix_3 hessian = Matrix_3::Zero();
     for(const Radial_distortion_3& triangle : m_triangles)
       triangle.add_derivatives(image, gradient, hessian);
 
     const Small_matrix<3, 2> tangents = m_domain.tangents(image);
-    Small_matrix<2, 2> tangential = tangents.transpose() * hessian * tangents;
+    Small_matrix<2, 2> tangential = tangents.transpose() * Eigen::Matrix3d(hessian) * tangents;
     tangential -= Domain::curvature * image.dot(gradient) * Small_matrix<2, 2>::Identity();
     const auto [eigenvalues, eigenvectors] = eigen_decomposition_2(tangential);
     const double smallest = 1e-8 * eigenvalues.cwiseAbs().maxCoeff();
-    const Small_matrix<2, 1> slope = eigenvectors.transpose() * (tangents.transpose() * gradient);
+    const Small_matrix<2, 1> slope = eigenvectors.transpose() * (tangents.transpose() * Eigen::Vector3d(gradient));
     Small_matrix<2, 1> step;
     for(int i = 0; i < 2; ++i)
       step[i] = (slope[i] == 0) ? 0 : -slope[i] / (std::max)(std::abs(eigenvalues[i]), smallest);

@@ -17,7 +17,7 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-inline Eigen::Vector3d normal_of(const std::array<std::size_t, 3>& facet, const std::vector<Eigen::Vector3d>& points)
+inline Eigen::Vector3d normal_of(const std::array<std::size_t, 3>& facet, const std::vector<Vector_3>& points)
 { return (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]); }
 
 // Point of a surface, with its direction in the sphere and a normal. Normals are continuous over the surface.
@@ -30,7 +30,7 @@ struct Surface_position_3
 class Surface_on_sphere_3
 {
 public:
-  Surface_on_sphere_3(const Numbered_surface_3& surface, const std::vector<Eigen::Vector3d>& directions)
+  Surface_on_sphere_3(const Numbered_surface_3& surface, const std::vector<Vector_3>& directions)
     : m_surface(surface), m_directions(directions), m_normals(surface.points.size(), Eigen::Vector3d::Zero())
   {
     for(const auto& facet : surface.facets)
@@ -45,8 +45,8 @@ public:
         m_facets.push_back(facet);
       }
     }
-    for(Eigen::Vector3d& normal : m_normals)
-      normal.normalize();
+    for(Vector_3& normal : m_normals)
+      normal = normal.normalized();
     m_tree.rebuild(m_triangles.cbegin(), m_triangles.cend());
     m_tree.accelerate_distance_queries();
     m_tree_in_sphere.rebuild(m_triangles_in_sphere.cbegin(), m_triangles_in_sphere.cend());
@@ -78,25 +78,25 @@ private:
 
   static Kernel::Point_3 kernel_point(const Eigen::Vector3d& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 
-  static Kernel::Triangle_3 triangle(const Facet& facet, const std::vector<Eigen::Vector3d>& points)
+  static Kernel::Triangle_3 triangle(const Facet& facet, const std::vector<Vector_3>& points)
   { return Kernel::Triangle_3(kernel_point(points[facet[0]]), kernel_point(points[facet[1]]), kernel_point(points[facet[2]])); }
 
   // Returns the mean of the corners, each weighted by the area opposite to it. Rounding can make areas negative.
   template <typename Area>
-  Surface_position_3 position(const Facet& facet, const std::vector<Eigen::Vector3d>& points, const Area& area) const
+  Surface_position_3 position(const Facet& facet, const std::vector<Vector_3>& points, const Area& area) const
   {
     Eigen::Vector3d weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = (std::max)(area(points[facet[(i + 1) % 3]], points[facet[(i + 2) % 3]]), 0.);
     weights = weights.sum() > 0 ? Eigen::Vector3d(weights / weights.sum()) : Eigen::Vector3d(1, 0, 0);
-    const auto mean = [&](const std::vector<Eigen::Vector3d>& values)
+    const auto mean = [&](const std::vector<Vector_3>& values)
     { return Eigen::Vector3d(weights[0] * values[facet[0]] + weights[1] * values[facet[1]] + weights[2] * values[facet[2]]); };
     return { mean(m_surface.points), mean(m_directions).normalized(), mean(m_normals).normalized() };
   }
 
   const Numbered_surface_3& m_surface;
-  const std::vector<Eigen::Vector3d>& m_directions;
-  std::vector<Eigen::Vector3d> m_normals;
+  const std::vector<Vector_3>& m_directions;
+  std::vector<Vector_3> m_normals;
   std::vector<Facet> m_facets; // with an area
   AABB_trees_3::Triangles m_triangles, m_triangles_in_sphere;
   AABB_trees_3::Of_triangles m_tree, m_tree_in_sphere;

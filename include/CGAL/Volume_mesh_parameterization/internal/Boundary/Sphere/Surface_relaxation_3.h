@@ -25,11 +25,11 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 class Surface_relaxation_3
 {
 public:
-  Surface_relaxation_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
-                       const std::vector<Eigen::Vector3d>& directions, const double epsilon)
+  Surface_relaxation_3(const std::vector<Vector_3>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
+                       const std::vector<Vector_3>& directions, const double epsilon)
     : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon)
   {
-    for(const Eigen::Vector3d& d : directions)
+    for(const Vector_3& d : directions)
       m_positions.push_back(target.position_in_direction(d));
   }
 
@@ -128,7 +128,7 @@ private:
     return result;
   }
 
-  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<Vector_3>& m_points;
   const Vertex_rings_3& m_rings;
   const Surface_on_sphere_3& m_target;
   double m_epsilon; // e

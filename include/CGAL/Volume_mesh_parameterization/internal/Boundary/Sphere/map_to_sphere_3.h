@@ -20,12 +20,12 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Vertices of a surface, by their numbers in the body, with the points that they should be near to.
-using Landmarks_3 = std::vector<std::pair<std::size_t, Eigen::Vector3d> >;
+using Landmarks_3 = std::vector<std::pair<std::size_t, Vector_3> >;
 
 // Maps a topological sphere onto the unit sphere, turned to the landmarks. The surface, a `Numbered_surface_3`, is a template
 // parameter, so that units which include the default boundary but call another one do not compile this one.
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Vector_3>& images,
                            const Budget& budget);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

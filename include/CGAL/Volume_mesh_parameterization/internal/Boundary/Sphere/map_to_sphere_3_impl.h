@@ -18,23 +18,25 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Geometry>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 struct Unit_sphere_3
 {
   static constexpr double curvature = 1; // the curvature of the unit sphere
 
-  Small_matrix<3, 2> tangents(const Eigen::Vector3d& image) const
+  Small_matrix<3, 2> tangents(const Vector_3& image) const
   {
     Small_matrix<3, 2> result;
-    result.col(0) = image.unitOrthogonal();
-    result.col(1) = image.cross(result.col(0));
+    result.col(0) = Eigen::Vector3d(image).unitOrthogonal();
+    result.col(1) = Eigen::Vector3d(image.cross(result.col(0)));
     return result;
   }
 
-  Eigen::Vector3d move(const Eigen::Vector3d& image, const Eigen::Vector3d& step) const { return (image + step).normalized(); }
+  Vector_3 move(const Vector_3& image, const Vector_3& step) const { return (image + step).normalized(); }
 
-  double height(const Eigen::Vector3d&, const Eigen::Vector3d&, const Eigen::Vector3d&) const { return 1; }
+  double height(const Vector_3&, const Vector_3&, const Vector_3&) const { return 1; }
   double area() const { return 4 * CGAL_PI; }
 };
 
@@ -45,8 +47,8 @@ template <typename Domain = Unit_sphere_3> // compiled only where it is used
 class Spherical_map_3
 {
 public:
-  Spherical_map_3(const std::vector<Eigen::Vector3d>& points, const Vertex_rings_3& rings, const Budget& budget)
-    : m_points(points), m_rings(rings), m_budget(budget), m_images(points.size(), Eigen::Vector3d::Zero()),
+  Spherical_map_3(const std::vector<Vector_3>& points, const Vertex_rings_3& rings, const Budget& budget)
+    : m_points(points), m_rings(rings), m_budget(budget), m_images(points.size(), Vector_3::Zero()),
       m_map(m_rings, m_points, m_images, m_domain, budget)
   {}
 
@@ -68,7 +70,7 @@ public:
     return true;
   }
 
-  const std::vector<Eigen::Vector3d>& images() const { return m_images; }
+  const std::vector<Vector_3>& images() const { return m_images; }
 
 private:
   void map_tetrahedron()
@@ -76,10 +78,10 @@ private:
     int v = 0;
     while(m_rings[v].empty())
       ++v;
-    m_images[v] = Eigen::Vector3d(1, 1, 1).normalized();
-    m_images[m_rings[v][0]] = Eigen::Vector3d(1, -1, -1).normalized();
-    m_images[m_rings[v][1]] = Eigen::Vector3d(-1, 1, -1).normalized();
-    m_images[m_rings[v][2]] = Eigen::Vector3d(-1, -1, 1).normalized();
+    m_images[v] = Vector_3(1, 1, 1).normalized();
+    m_images[m_rings[v][0]] = Vector_3(1, -1, -1).normalized();
+    m_images[m_rings[v][1]] = Vector_3(-1, 1, -1).normalized();
+    m_images[m_rings[v][2]] = Vector_3(-1, -1, 1).normalized();
     m_map.relax(20, 1e-3);
   }
 
@@ -87,11 +89,11 @@ private:
   bool insert(const Removed_vertex& removed)
   {
     m_rings.insert(removed);
-    const Eigen::Vector3d origin = m_images[removed.ring.front()];
-    const Eigen::Vector3d inwards = (origin.cross(m_images[removed.ring[1]]).normalized()
+    const Vector_3 origin = m_images[removed.ring.front()];
+    const Vector_3 inwards = (origin.cross(m_images[removed.ring[1]]).normalized()
                                    + m_images[removed.ring.back()].cross(origin).normalized()).normalized();
     double smallest = (std::numeric_limits<double>::infinity)();
-    Eigen::Vector3d best = origin;
+    Vector_3 best = origin;
     for(double step = 1; step > 1e-15; step /= 2)
     {
       m_images[removed.vertex] = (origin + step * inwards).normalized();
@@ -113,22 +115,22 @@ private:
     return true;
   }
 
-  const std::vector<Eigen::Vector3d>& m_points;
+  const std::vector<Vector_3>& m_points;
   Vertex_rings_3 m_rings;
   const Budget& m_budget;
-  std::vector<Eigen::Vector3d> m_images;
+  std::vector<Vector_3> m_images;
   Unit_sphere_3 m_domain;
   Radial_map_3<Domain> m_map;
 };
 
 template <typename Mesh>
-Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& images, const Budget& budget)
+Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Vector_3>& images, const Budget& budget)
 {
   const Error_code status = check_sphere(mesh);
   if(status != OK)
     return status;
 
-  const std::vector<Eigen::Vector3d> points = unit_points(mesh);
+  const std::vector<Vector_3> points = unit_points(mesh);
   Spherical_map_3<> map(points, Vertex_rings_3(mesh), budget);
   if(!map.run())
     return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
@@ -139,21 +141,21 @@ Error_code map_mesh_to_sphere_3(const Mesh& mesh, std::vector<Eigen::Vector3d>& 
 // Turns the sphere such that its points come as close as possible to the landmarks, in the sense of least squares: Kabsch,
 // A solution for the best rotation to relate two sets of vectors (1976).
 template <typename Points>
-void turn_to_landmarks_3(const Points& landmarks, std::vector<Eigen::Vector3d>& images)
+void turn_to_landmarks_3(const Points& landmarks, std::vector<Vector_3>& images)
 {
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  Matrix_3 covariance = Matrix_3::Zero();
   for(const auto& [v, point] : landmarks)
-    covariance += point * images[v].transpose();
-  const Eigen::Matrix3d rotation = rotation_and_stretch_3(covariance).rotation;
-  for(Eigen::Vector3d& image : images)
+    covariance += Matrix_3::outer_product(point, images[v]);
+  const Matrix_3 rotation = rotation_and_stretch_3(covariance).rotation;
+  for(Vector_3& image : images)
     image = (rotation * image).normalized();
 }
 
 template <typename Surface>
-Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Eigen::Vector3d>& images,
+Error_code map_to_sphere_3(const Surface& surface, const Landmarks_3& landmarks, std::vector<Vector_3>& images,
                            const Budget& budget)
 {
-  std::vector<std::pair<int, Eigen::Vector3d> > on_surface;
+  std::vector<std::pair<int, Vector_3> > on_surface;
   for(const auto& [v, point] : landmarks)
   {
     const auto found = std::find(surface.vertices.begin(), surface.vertices.end(), v);

@@ -85,7 +85,7 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
     result.emplace_back();
     for(std::size_t v = 0; v < surface.points.size(); ++v)
       result.back().emplace_back(static_cast<int>(v), on_sphere.nearest_position(
-        of_target.center + turn * (surface.points[v] - of_surface.center)).direction);
+        of_target.center + turn * Eigen::Vector3d(surface.points[v] - of_surface.center)).direction);
   }
   return result;
 }
@@ -93,10 +93,7 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
 // Returns a size, a power of two, by which coordinates are divided without a loss of digits.
 inline double size_of(const Numbered_surface_3& surface)
 {
-  Eigen::AlignedBox3d box;
-  for(const Eigen::Vector3d& p : surface.points)
-    box.extend(p);
-  return std::exp2(std::ilogb(box.sizes().maxCoeff()));
+  return std::exp2(std::ilogb(bounding_box(surface.points).diagonal().maxCoeff()));
 }
 
 // A triangulated sphere, mapped one to one to the unit sphere.
@@ -104,14 +101,14 @@ struct Surface_in_sphere_3
 {
   const Numbered_surface_3* surface;
   const Vertex_rings_3* rings;
-  std::vector<Eigen::Vector3d> directions;
+  std::vector<Vector_3> directions;
 };
 
 // Two surfaces in one sphere. There, each vertex of one surface is in a triangle of the other one, which is its image.
 struct Surface_pair_3
 {
   Surface_in_sphere_3 surface, target;
-  std::vector<Eigen::Vector3d> images = {}; // of the vertices of `surface`
+  std::vector<Vector_3> images = {}; // of the vertices of `surface`
   double distortion = 0; // of the images
 
   // Moves the vertices of the surface on the target.
@@ -143,12 +140,12 @@ struct Surface_pair_3
 
 // Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over.
 inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_3 target, Point_pairs_3 landmarks,
-                                   std::vector<Eigen::Vector3d>& images, const Budget& budget)
+                                   std::vector<Vector_3>& images, const Budget& budget)
 {
   for(const auto& [p, q] : landmarks)
     if(!p.allFinite() || !q.allFinite())
       return ERROR_INVALID_LANDMARK;
-  std::vector<Eigen::Vector3d> directions, directions_of_target;
+  std::vector<Vector_3> directions, directions_of_target;
   if(const Error_code status = map_to_sphere_3(surface, Landmarks_3(), directions, budget); status != OK)
     return status;
   if(map_to_sphere_3(target, Landmarks_3(), directions_of_target, budget) != OK)
@@ -160,16 +157,16 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
     p /= size_of_surface;
     q /= size;
   }
-  for(Eigen::Vector3d& p : surface.points)
-    p /= size_of_surface;
-  for(Eigen::Vector3d& p : target.points)
-    p /= size;
+  for(Vector_3& p : surface.points)
+    p = p / size_of_surface;
+  for(Vector_3& p : target.points)
+    p = p / size;
   const Moments_3 of_surface(surface), of_target(target);
   if(!(of_target.area > 0))
     return ERROR_TARGET_NOT_A_SPHERE;
   Numbered_surface_3 scaled = surface; // to the area of the target
-  for(Eigen::Vector3d& p : scaled.points)
-    p *= std::sqrt(of_target.area / of_surface.area);
+  for(Vector_3& p : scaled.points)
+    p = std::sqrt(of_target.area / of_surface.area) * p;
 
   Boundary_mesh_3 mesh, mesh_of_target;
   build_boundary_mesh_3(surface, mesh);
@@ -177,7 +174,7 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   const Vertex_rings_3 rings(mesh), rings_of_target(mesh_of_target);
   const Surface_on_sphere_3 on_sphere(target, directions_of_target);
   std::vector<std::array<double, 3> > points_of_target;
-  for(const Eigen::Vector3d& p : target.points)
+  for(const Vector_3& p : target.points)
     points_of_target.push_back(coordinates(p));
   const Triangulated_surface_3 triangulated(points_of_target, target.facets);
   const auto is_fitted = [&](const Surface_pair_3& pair)
@@ -195,7 +192,7 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
     pairs.back().relax(sweeps_to_compare, smooth, budget);
   }
   std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
-  std::vector<Eigen::Vector3d> fitted;
+  std::vector<Vector_3> fitted;
   for(auto pair = pairs.begin(); pair != pairs.end() && fitted.empty(); ++pair)
     for(int round = 0; round <= number_of_rounds && !budget.is_exhausted(); ++round)
     {
@@ -215,7 +212,7 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   if(fitted.empty())
     return ERROR_BOUNDARY_NOT_FITTED;
   images.clear();
-  for(const Eigen::Vector3d& p : fitted)
+  for(const Vector_3& p : fitted)
     images.push_back(p * size);
   return OK;
 }

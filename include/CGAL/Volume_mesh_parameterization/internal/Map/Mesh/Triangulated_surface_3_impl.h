@@ -34,7 +34,7 @@ inline Vector_3 nearest_point(const AABB_trees_3::Kernel::Segment_3& segment, co
 // Combines the vertices with weights in [0, 1]. Therefore, the point is on the triangle within rounding, whatever its shape is.
 inline Vector_3 nearest_point(const AABB_trees_3::Kernel::Triangle_3& triangle, const Vector_3& p)
 {
-  const Vector_3 a = to_vector(triangle[0]), u = Vector_3(to_vector(triangle[1])) - a, v = Vector_3(to_vector(triangle[2])) - a;
+  const Vector_3 a = to_vector(triangle[0]), u = to_vector(triangle[1]) - a, v = to_vector(triangle[2]) - a;
   const Vector_3 n = u.cross(v);
   const double s = n.dot((p - a).cross(v)) / n.squaredNorm(), t = n.dot(u.cross(p - a)) / n.squaredNorm();
   if(s >= 0 && t >= 0 && s + t <= 1)
@@ -52,7 +52,7 @@ inline Vector_3 nearest_point(const AABB_trees_3::Kernel::Triangle_3& triangle, 
 inline Vector_3 direction_of(const AABB_trees_3::Kernel::Segment_3& segment) { return to_vector(segment.to_vector()); }
 
 inline Vector_3 direction_of(const AABB_trees_3::Kernel::Triangle_3& triangle)
-{ return Vector_3(to_vector(triangle[1] - triangle[0])).cross(to_vector(triangle[2] - triangle[0])); }
+{ return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])); }
 
 inline Vector_3 scaled(const Vector_3& p, const int exponent)
 { return p.unaryExpr([&](const double x) { return std::scalbn(x, exponent); }); }
@@ -182,7 +182,7 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
   double largest = 0; // coordinate
   for(const std::array<double, 3>& p : points)
     if(is_finite_point(exact_point(p)))
-      largest = (std::max)(largest, Vector_3(to_vector(p)).cwiseAbs().maxCoeff());
+      largest = (std::max)(largest, to_vector(p).cwiseAbs().maxCoeff());
   const int exponent = largest > 0 ? std::ilogb(largest) : 0;
   const auto point = [&](const std::size_t v) { return exact_point(scaled(to_vector(points[v]), -exponent)); };
   std::vector<AABB_trees_3::Kernel::Triangle_3> in_space;
@@ -198,7 +198,7 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
   if(triangles.empty())
     throw Input_error("No triangle of a surface has an area.");
 
-  const auto marked = sharp_edges_3(triangles, features, [&](const std::size_t v) { return Vector_3(to_vector(points[v])); });
+  const auto marked = sharp_edges_3(triangles, features, [&](const std::size_t v) { return to_vector(points[v]); });
   std::vector<std::array<std::size_t, 2> > edges;
   Disjoint_sets sets(triangles.size());
   for_each_edge(triangles, [&](const auto begin, const auto end)

@@ -81,10 +81,10 @@ Cell_distortion_3 distortion_of_cell(const Source& source, const Image& image)
   Eigen::Matrix3d X, U;
   for(int i = 0; i < 3; ++i)
   {
-    X.col(i) = source(i + 1) - source(0);
-    U.col(i) = image(i + 1) - image(0);
+    X.col(i) = Eigen::Vector3d(source(i + 1) - source(0));
+    U.col(i) = Eigen::Vector3d(image(i + 1) - image(0));
   }
-  const Eigen::Vector3d s = signed_singular_values_3(U * X.inverse());
+  const Vector_3 s = signed_singular_values_3(U * X.inverse());
   const double ratio = s.maxCoeff() / s.minCoeff(), determinant = s.prod();
   return { ratio + 1 / ratio, determinant + 1 / determinant, determinant };
 }
