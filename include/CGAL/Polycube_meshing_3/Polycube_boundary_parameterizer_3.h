@@ -217,11 +217,7 @@ public:
       images.push_back(internal::to_vector(boundary.targets[v]));
     *m_result = { boundary.rotation, surface.sharp_edges.size() };
     for(const std::vector<internal::Vector_3>& feature : internal::features_given_up_3(surface, images))
-    {
-      m_result->features_given_up.emplace_back();
-      for(const internal::Vector_3& p : feature)
-        m_result->features_given_up.back().push_back(internal::coordinates(p));
-    }
+      m_result->features_given_up.push_back(internal::arrays_of(feature));
     constexpr std::size_t none = Polycube_result::no_label;
     m_result->labels.assign(body.cells.size(), { none, none, none, none });
     for(std::size_t f = 0; f < surface.facets.size(); ++f)

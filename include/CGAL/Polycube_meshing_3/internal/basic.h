@@ -16,8 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
-#include <vector>
-
 // CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE, a macro that the target CGAL::Polycube_meshing_3_engine defines, means the same for
 // this package as CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE for the other one.
 #if defined(CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE) != defined(CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE)
@@ -60,15 +58,6 @@ namespace CGAL::Polycube_meshing_3::internal {
 using namespace Volume_mesh_parameterization;
 using namespace Volume_mesh_parameterization::internal;
 using Volume_mesh_parameterization::internal::Vector_3; // not CGAL's
-
-template <typename Point>
-std::vector<Vector_3> vectors_of(const std::vector<Point>& points)
-{
-  std::vector<Vector_3> result;
-  for(const Point& p : points)
-    result.push_back(to_vector(p));
-  return result;
-}
 
 } // namespace CGAL::Polycube_meshing_3::internal
 

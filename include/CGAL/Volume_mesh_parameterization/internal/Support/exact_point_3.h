@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -35,6 +36,23 @@ Vector_3 to_vector(const Point& p)
 {
   const auto& [x, y, z] = coordinates(p);
   return { x, y, z };
+}
+
+template <typename Point>
+std::vector<Vector_3> vectors_of(const std::vector<Point>& points)
+{
+  std::vector<Vector_3> result;
+  for(const Point& p : points)
+    result.push_back(to_vector(p));
+  return result;
+}
+
+inline std::vector<std::array<double, 3> > arrays_of(const std::vector<Vector_3>& points)
+{
+  std::vector<std::array<double, 3> > result;
+  for(const Vector_3& p : points)
+    result.push_back(coordinates(p));
+  return result;
 }
 
 template <typename Point>

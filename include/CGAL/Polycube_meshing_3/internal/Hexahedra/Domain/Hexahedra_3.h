@@ -33,14 +33,6 @@ struct Hexahedra_3
   std::vector<std::size_t> facet_cells, polycube_faces;
 };
 
-inline std::vector<std::array<double, 3> > arrays_of(const std::vector<Vector_3>& points)
-{
-  std::vector<std::array<double, 3> > result;
-  for(const Vector_3& p : points)
-    result.push_back(coordinates(p));
-  return result;
-}
-
 // Returns the soup of the hexahedra, still without references of quadrangles and interfaces.
 inline Hexahedron_soup_3 hexahedron_soup_of(Hexahedra_3 mesh)
 {
