@@ -113,6 +113,20 @@ inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::ar
 // The cell data with the reference number `i` of cells in several groups.
 inline std::string name_of_reference(const std::size_t i) { return "reference_" + std::to_string(i); }
 
+// Returns the numbers of sharp edges at vertices that have any: of the marked edges, or of those of the shape if none is marked.
+inline std::map<std::size_t, std::size_t> numbers_of_sharp_edges(const Tetrahedron_soup_3& soup,
+                                                                 const std::vector<std::array<std::size_t, 3> >& facets,
+                                                                 const std::vector<std::array<std::size_t, 2> >& marked)
+{
+  std::map<std::size_t, std::size_t> result;
+  for(const auto& [v, w] : sharp_edges_3(facets, marked, [&](const std::size_t p) { return to_vector(soup.points[p]); }))
+  {
+    ++result[v];
+    ++result[w];
+  }
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -199,37 +213,25 @@ inline void remove_false_marks(Tetrahedron_soup_3& soup)
   if(soup.corners.empty() && soup.edges.empty())
     return;
   const std::vector<std::array<std::size_t, 3> > facets = internal::boundary_facets_3(soup.cells);
-  const auto numbers_of_edges = [&](const std::vector<std::array<std::size_t, 2> >& marked)
-  {
-    std::map<std::size_t, std::size_t> result;
-    for(const std::array<std::size_t, 2>& edge : internal::sharp_edges_3(facets, marked, [&](const std::size_t v)
-                                                                          { return internal::to_vector(soup.points[v]); }))
-      for(const std::size_t v : edge)
-        ++result[v];
-    return result;
-  };
-  const std::map<std::size_t, std::size_t> sharp = numbers_of_edges({}), marked = numbers_of_edges(soup.edges);
+  const std::vector<bool> is_on_boundary = internal::used_points(facets, soup.points.size());
+  const auto sharp = internal::numbers_of_sharp_edges(soup, facets, {}),
+             marked = internal::numbers_of_sharp_edges(soup, facets, soup.edges);
   const auto is_no_corner = [&](const std::size_t v) { return sharp.count(v) == 0 || sharp.at(v) == 2; };
-  std::set<std::size_t> boundary;
-  for(const std::array<std::size_t, 3>& facet : facets)
-    boundary.insert(facet.begin(), facet.end());
-  const auto note = [&](const std::size_t number, const char* const marks, const char* const of_all)
+  const auto are_false = [&](const std::ptrdiff_t number, const std::ptrdiff_t all, const char* marks, const char* what)
   {
-    soup.notes.push_back(std::to_string(number) + of_all + " at places where the boundary has no corner. The marks of " + marks
-                         + " are left out; TetGen makes such marks");
+    if(2 * number > all)
+      soup.notes.push_back(std::to_string(number) + " vertices are " + what + " at places where the boundary has no corner. "
+                           "The marks of " + marks + " are left out; TetGen makes such marks");
+    return 2 * number > all;
   };
-  const auto number_of_corners = std::count_if(soup.corners.begin(), soup.corners.end(), [&](const std::size_t v)
-                                               { return boundary.count(v) != 0 && is_no_corner(v); });
-  if(2 * static_cast<std::size_t>(number_of_corners) > boundary.size())
-  {
-    note(static_cast<std::size_t>(number_of_corners), "corners", " vertices are marked as corners");
+  if(are_false(std::count_if(soup.corners.begin(), soup.corners.end(),
+                             [&](const std::size_t v) { return is_on_boundary[v] && is_no_corner(v); }),
+               std::count(is_on_boundary.begin(), is_on_boundary.end(), true), "corners", "marked as corners"))
     soup.corners.clear();
-  }
-  const auto number_of_ends = std::count_if(marked.begin(), marked.end(), [&](const auto& vertex)
-                                            { return vertex.second >= 3 && is_no_corner(vertex.first); });
-  if(2 * static_cast<std::size_t>(number_of_ends) > marked.size())
+  if(are_false(std::count_if(marked.begin(), marked.end(),
+                             [&](const auto& vertex) { return vertex.second >= 3 && is_no_corner(vertex.first); }),
+               static_cast<std::ptrdiff_t>(marked.size()), "edges", "ends of three or more marked edges"))
   {
-    note(static_cast<std::size_t>(number_of_ends), "edges", " vertices are ends of three or more marked edges");
     soup.edges.clear();
     soup.edge_references.clear();
     soup.edge_data.clear();
