@@ -221,7 +221,22 @@ inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& fra
                            : map_to_any_box_3(*frame, may_split, budget);
 }
 
-// Maps a surface in the order in which it is searched.
+// Returns the surface as it is, or turned by each rotation that brings its normals close to the axes.
+inline std::vector<Turned_surface_3> frames_of_surface_3(const Polycube_problem_3& problem, const Boundary_mesh_3& mesh)
+{
+  const bool do_find_axes = problem.do_find_axes && problem.labels.empty();
+  const Turned_surface_3 unturned(problem.surface, mesh, Matrix_3::Identity());
+  std::vector<Turned_surface_3> result;
+  for(const Matrix_3& rotation : do_find_axes ? frames_of_normals_3(unturned.mesh) : std::vector<Matrix_3>{ unturned.rotation })
+  {
+    result.emplace_back(problem.surface, mesh, rotation);
+    result.back().spacing = problem.spacing;
+    result.back().may_move = do_find_axes;
+  }
+  return result;
+}
+
+// Maps a surface whose order is that of the search. If there is no polycube with the spacing, tells whether there is one without.
 inline Found_polycube_3 map_ordered_surface_3(const Polycube_problem_3& problem, const Budget& budget)
 {
   constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
@@ -230,28 +245,17 @@ inline Found_polycube_3 map_ordered_surface_3(const Polycube_problem_3& problem,
   Boundary_mesh_3 mesh;
   if(const Error_code status = build_boundary_mesh_3(problem.surface, mesh); status != OK)
     return { status };
-  const bool do_find_axes = problem.do_find_axes && problem.labels.empty();
-  std::vector<Turned_surface_3> frames(1, Turned_surface_3(problem.surface, mesh, Matrix_3::Identity()));
-  if(do_find_axes)
+  const std::vector<Turned_surface_3> frames = frames_of_surface_3(problem, mesh);
+  Found_polycube_3 found = problem.labels.empty() ? map_in_frames_3(frames, problem.may_split, budget)
+                                                  : map_to_labelled_polycube_3(frames.front(), problem.labels, budget);
+  if(found.status != OK && problem.spacing > 0)
   {
-    const std::vector<Matrix_3> rotations = frames_of_normals_3(frames.front().mesh);
-    frames.clear();
-    for(const Matrix_3& rotation : rotations)
-      frames.emplace_back(problem.surface, mesh, rotation);
+    Polycube_problem_3 without_spacing = problem;
+    without_spacing.spacing = 0;
+    without_spacing.may_split = false;
+    if(map_ordered_surface_3(without_spacing, budget).status == OK)
+      found.status = ERROR_SPACING_TOO_COARSE;
   }
-  const auto map = [&](const double spacing, const bool may_split)
-  {
-    for(Turned_surface_3& turned : frames)
-    {
-      turned.spacing = spacing;
-      turned.may_move = do_find_axes;
-    }
-    return problem.labels.empty() ? map_in_frames_3(frames, may_split, budget)
-                                  : map_to_labelled_polycube_3(frames.front(), problem.labels, budget);
-  };
-  Found_polycube_3 found = map(problem.spacing, problem.may_split);
-  if(found.status != OK && problem.spacing > 0 && map(0, false).status == OK)
-    found.status = ERROR_SPACING_TOO_COARSE;
   return found;
 }
 
