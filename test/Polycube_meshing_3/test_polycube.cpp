@@ -603,10 +603,10 @@ TEST_CASE("a body with a cavity and without a polycube is told to have several b
 TEST_CASE("labels that are found are told, and lead to the same labels again")
 {
   const VMP::Tetrahedron_soup_3 soup = bricks(size, is_ring, in_place);
-  const Polycube polycube(0, PM::Polycube_axes::GIVEN);
+  PM::Polycube_result result;
+  const Polycube polycube(0, PM::Polycube_axes::GIVEN, &result);
   std::vector<std::array<double, 3> > targets;
   REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
-  const PM::Polycube_result& result = polycube.result();
   REQUIRE(result.labels.size() == soup.cells.size());
   std::size_t number = 0;
   std::set<std::size_t> all;
@@ -1016,9 +1016,8 @@ TEST_CASE("features that are given up are told as polylines, the longest one fir
   mark({ { 1, 3 }, { 2, 4 } });                     // diagonals, which are edges of bricks
   mark({ { 1, 0 }, { 2, 1 }, { 3, 2 }, { 4, 3 } });
   std::vector<std::array<double, 3> > targets;
-  const Polycube polycube(1);
-  REQUIRE(polycube.parameterize(soup, targets) == VMP::OK);
-  const PM::Polycube_result& result = polycube.result();
+  PM::Polycube_result result;
+  REQUIRE(Polycube(1, PM::Polycube_axes::FOUND, &result).parameterize(soup, targets) == VMP::OK);
   CHECK(result.number_of_sharp_edges == 6);
   CHECK(result.number_of_edges_given_up() == 4);
   REQUIRE(result.features_given_up.size() == 2);
@@ -1143,10 +1142,7 @@ struct Turned_body
 
   VMP::Error_code parameterize(const PM::Polycube_axes axes, const double spacing = 0)
   {
-    const Polycube polycube(spacing, axes);
-    const VMP::Error_code status = polycube.parameterize(soup.points, soup.cells, image);
-    result = polycube.result();
-    return status;
+    return Polycube(spacing, axes, &result).parameterize(soup.points, soup.cells, image);
   }
 
   Eigen::Vector3d point(const std::size_t v) const { return Eigen::Vector3d(soup.points[v].data()); }

@@ -231,7 +231,8 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
   const std::size_t n = soup.points.size();
 
   std::vector<Point> expected;
-  const PM::Polycube_boundary_parameterizer_3 polycube;
+  PM::Polycube_result result_of_polycube;
+  const PM::Polycube_boundary_parameterizer_3 polycube(0, PM::Polycube_axes::FOUND, &result_of_polycube);
   const auto np = params::boundary_parameterizer(polycube).refinement_mode(Refinement_mode::BOUNDARY);
   const Parameterization_result of_arrays = CGAL::stretch_minimizing_volume_parameterization(soup, expected, np);
   const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(complex.c3t3, complex.uvw_map(), np);
@@ -281,8 +282,8 @@ TEST_CASE("The boundary of a complex is refined as that of arrays, with patches,
   check_same(areas_of_facets(soup), areas);
   check_same(lengths_of_edges(soup), lengths);
 
-  REQUIRE(polycube.result().labels.size() == c3t3.number_of_cells_in_complex());
-  auto labels = polycube.result().labels.begin();
+  REQUIRE(result_of_polycube.labels.size() == c3t3.number_of_cells_in_complex());
+  auto labels = result_of_polycube.labels.begin();
   for(auto c = c3t3.cells_in_complex_begin(); c != c3t3.cells_in_complex_end(); ++c, ++labels)
     for(int i = 0; i < 4; ++i)
       CHECK((*labels)[i] == (c3t3.is_in_complex(c->neighbor(i)) ? PM::Polycube_result::no_label : label_of_image(c, i, complex)));

@@ -126,14 +126,14 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
       const auto sliding = np.do_slide_boundary((options.do_slide && !is_fit) || named_others(options.others) == Others::SLIDE);
       if(options.domain.empty())
         return map_to(sliding.vertex_is_constrained_map(is_at_target_map(mapped.target)));
-      const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes));
+      const Polycube polycube(Hexahedra_file(options.hexahedra).spacing(), named_polycube_axes(options.polycube_axes),
+                              &mapped.polycube);
       const Result result = std::visit([&](const auto& boundary)
       {
         return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.uvw,
                                                                                  sliding.boundary_parameterizer(boundary));
       }, is_fit ? surface_fit(mapped.surface, landmarks, mapped.mesh.points)
                 : named_boundary_parameterizer(options.domain, polycube, landmarks));
-      mapped.polycube = polycube.result();
       return is_fit && options.do_slide && result.has_valid_map ? slid_on_surface(mapped, result, np) : result;
     };
     return mapped.initial.empty() ? map(np) : map(np.initial_map(CGAL::make_property_map(mapped.initial)));

@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3 {
@@ -147,19 +146,18 @@ class Polycube_boundary_parameterizer_3
   friend internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>;
 
 public:
-  /// chooses the grid and the axes.
+  /// chooses the grid, the axes and the output.
   ///
   /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
   /// \param axes the axes of the polycube
+  /// \param result if it is not null, each call that finds a polycube writes the rotation, the labels and the sharp edges given up
+  ///        there. It must exist as long as this object or a copy, as in a named parameter, is called.
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
-  explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND)
-    : m_spacing(spacing), m_axes(axes)
+  explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
+                                             Polycube_result* const result = nullptr)
+    : m_spacing(spacing), m_axes(axes), m_result(result)
   { internal::require(spacing >= 0 && std::isfinite(spacing), "spacing must be finite and not negative."); }
-
-  /// returns the rotation, the labels and the sharp edges given up of the last polycube found. Copies of this object have the same
-  /// result, also the copy in a named parameter. Without a polycube, the result is empty.
-  const Polycube_result& result() const { return *m_result; }
 
   using internal::Boundary_parameterizer_base_3<Polycube_boundary_parameterizer_3>::parameterize;
 
@@ -206,9 +204,11 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  // Stores the result of the polycube that a body is mapped to at last.
+  // Writes the result of the polycube that a body is mapped to at last.
   void store_result(const internal::Body_3& refined_body, const internal::Mapped_boundary_3& boundary) const
   {
+    if(m_result == nullptr)
+      return;
     const internal::Body_3 body // with the sides that are on the boundary now
       = internal::body_of_arrays(refined_body.points, refined_body.cells, refined_body.edges);
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
@@ -227,7 +227,7 @@ public:
   // Orders the labels as the cells of the refined complex.
   void reorder_cells(const std::vector<std::size_t>& order) const
   {
-    if(m_result->labels.size() != order.size())
+    if(m_result == nullptr || m_result->labels.size() != order.size())
       return;
     const std::vector<std::array<std::size_t, 4> > labels = m_result->labels;
     for(std::size_t c = 0; c < order.size(); ++c)
@@ -275,7 +275,7 @@ private:
 
   double m_spacing;
   Polycube_axes m_axes;
-  std::shared_ptr<Polycube_result> m_result = std::make_shared<Polycube_result>(); // of all copies
+  Polycube_result* m_result;
 };
 
 } // namespace CGAL::Polycube_meshing_3
