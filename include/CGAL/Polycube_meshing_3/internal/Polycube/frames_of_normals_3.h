@@ -14,10 +14,11 @@
 
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 
 #include <CGAL/number_utils.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -70,14 +71,7 @@ public:
         const Vector_3 axis = nearest_axis(rotation * normal);
         sum += Matrix_3::outer_product(axis, normal) / (std::max)(least, (rotation * normal.normalized() - axis).norm());
       }
-#if EIGEN_VERSION_AT_LEAST(3, 4, 90) // from then on, the options are in the type
-      const Eigen::JacobiSVD<Eigen::Matrix3d, Eigen::ComputeFullU | Eigen::ComputeFullV> svd(sum);
-#else
-      const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-#endif
-      Eigen::Matrix3d U = svd.matrixU();
-      U.col(2) *= (U * svd.matrixV().transpose()).determinant();
-      rotation = U * svd.matrixV().transpose();
+      rotation = rotation_and_stretch_3(sum).rotation;
     }
     return rotation;
   }
