@@ -92,9 +92,7 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
 
 // Returns a size, a power of two, by which coordinates are divided without a loss of digits.
 inline double size_of(const Numbered_surface_3& surface)
-{
-  return std::exp2(std::ilogb(bounding_box(surface.points).diagonal().maxCoeff()));
-}
+{ return std::exp2(std::ilogb(bounding_box(surface.points).diagonal().maxCoeff())); }
 
 // A triangulated sphere, mapped one to one to the unit sphere.
 struct Surface_in_sphere_3
@@ -173,10 +171,7 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   build_boundary_mesh_3(target, mesh_of_target);
   const Vertex_rings_3 rings(mesh), rings_of_target(mesh_of_target);
   const Surface_on_sphere_3 on_sphere(target, directions_of_target);
-  std::vector<std::array<double, 3> > points_of_target;
-  for(const Vector_3& p : target.points)
-    points_of_target.push_back(coordinates(p));
-  const Triangulated_surface_3 triangulated(points_of_target, target.facets);
+  const Triangulated_surface_3 triangulated(arrays_of(target.points), target.facets);
   const auto is_fitted = [&](const Surface_pair_3& pair)
   {
     set_points(mesh, pair.images);
