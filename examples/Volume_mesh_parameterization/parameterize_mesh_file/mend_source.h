@@ -23,7 +23,7 @@
 
 using Points = std::vector<std::array<double, 3> >;
 
-// What was found in a mesh, and mended.
+// Counts of what was found in a mesh and mended.
 struct Repairs
 {
   std::size_t number_of_coinciding_points = 0; // on the boundary
