@@ -32,6 +32,8 @@ VIEWS = {
     "twisted": ((2, 1, 3), (0, 1, 0), (0, 0, 1)),
     "polycube": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
     "sliding_boundary": ((2, -3, 2), (0, 0, 1), (0, -1, 0)),
+    "sloshing_tank": ((1, -3, 1), (0, 0, 1), (0, -1, 0)),
+    "body_to_scan": ((3, -2, 1), (0, 0, 1), (0, -1, 0)),
 }
 
 
@@ -491,7 +493,7 @@ def draw_hexahedra(vtu, output, view=VIEWS["polycube"]):
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
     draw_ball(folder, output_folder / "elephant_to_ball.png")
-    for name in ("twisted", "polycube"):
+    for name in ("twisted", "polycube", "sloshing_tank", "body_to_scan"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
     draw_sliding(folder, output_folder / "sliding_boundary.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
