@@ -25,8 +25,8 @@ maps the boundary of a complex onto a surface with other triangles, for instance
 Both surfaces are mapped to the unit sphere, as by `Ball_boundary_parameterizer_3`. There, the boundary is turned. With landmarks,
 the turn brings them as close to their points as possible, in the sense of least squares. Otherwise, it puts the principal axes of
 the boundary on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of
-the target. Vertices move on the target to lower the distortion of the boundary. As long as facets are turned over or intersect each
-other, vertices of both surfaces move in turn, each on the other surface: where few facets of the boundary cover a limb of the
+the target. Vertices move on the target to lower the distortion of the boundary. As long as facets are turned over or intersect
+each other, vertices of both surfaces move in turn, each on the other surface: where few facets of the boundary cover a limb of the
 target, the vertices of the limb spread out, and more vertices of the boundary reach it.
 
 All vertices are on the target. Edges of the image are chords, and leave the target where it bends. `measure_surface_fit()`
