@@ -429,7 +429,7 @@ TEST_CASE("each process reads a part of the files")
   std::size_t number_of_cells = 0;
   for(int i = 0; i < size(); ++i)
   {
-    CHECK(pvtu.find("<Piece Source=\"mpi_" + std::to_string(size()) + "_&lt;out> &amp; &quot;in&quot;_" + std::to_string(i)
+    CHECK(pvtu.find("<Piece Source=\"mpi_" + std::to_string(size()) + "_&lt;out&gt; &amp; &quot;in&quot;_" + std::to_string(i)
                     + ".vtu\"/>") != std::string::npos);
     const std::string vtu = text_of(name + "_" + std::to_string(i) + ".vtu");
     number_of_cells += std::stoul(vtu.substr(vtu.find("NumberOfCells=\"") + 15));
