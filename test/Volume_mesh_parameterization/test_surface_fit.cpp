@@ -72,7 +72,7 @@ Surface ellipsoid(const int latitudes, const int longitudes)
 // Six arms, bent around the axis z, that are the thinner the larger the exponent is.
 Surface star(const double exponent, const double radius_of_core)
 {
-  Surface result = ellipsoid(24, 34);
+  Surface result = ellipsoid(10, 14);
   for(Point& p : result.points)
   {
     const double x = p[0] / 3, y = p[1] / 2, z = p[2];

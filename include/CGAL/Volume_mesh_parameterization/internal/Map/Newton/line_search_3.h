@@ -17,22 +17,24 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Backtracking along the direction from a first length, until the energy has fallen enough (Armijo's condition) and, if asked
-// for, no cell is inverted and the norm of the gradient is below a bound.
+// for, no cell is inverted and the norm of the gradient is below a bound. A boundary that is kept embedded is so after the step.
 inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cell_energy_3& energy,
                                         const Newton_iterate_3& iterate, const double first_length,
                                         const bool must_be_flip_free,
                                         const double gradient_bound = std::numeric_limits<double>::infinity())
 {
   constexpr double sufficient_decrease = 1e-4; // Armijo's condition; the usual part of the slope
-  // a step much shorter than the energy alone asks for does not serve the gradient either
-  const double smallest_length = std::isinf(gradient_bound) ? 1e-12 : 1e-3 * first_length;
+  // a step much shorter than the energy alone asks for serves neither the gradient nor the boundary
+  const bool is_energy_alone = std::isinf(gradient_bound) && !system.is_boundary_kept_embedded();
+  const double smallest_length = is_energy_alone ? 1e-12 : 1e-3 * first_length;
   for(double length = first_length; length > smallest_length; length /= 2)
   {
     auto [trial, projectors] = system.moved(iterate.u, length, iterate.direction.vectors);
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if((!must_be_flip_free || evaluation.is_flip_free())
        && evaluation.energy <= iterate.evaluation.energy + sufficient_decrease * length * iterate.direction.slope
-       && (std::isinf(gradient_bound) || system.gradient(energy, trial).norm() < gradient_bound))
+       && (std::isinf(gradient_bound) || system.gradient(energy, trial).norm() < gradient_bound)
+       && system.is_boundary_embedded(trial))
       return { length, std::move(trial), evaluation, std::move(projectors) };
   }
   return {};
@@ -59,7 +61,7 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
     auto [trial, projectors] = system.moved(iterate.u, 1, doubled);
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy)
-       || system.largest_step(iterate.u, doubled) < 1)
+       || system.largest_step(iterate.u, doubled) < 1 || !system.is_boundary_embedded(trial))
       return step;
     step = { 2 * step.length, std::move(trial), evaluation, std::move(projectors) };
   }

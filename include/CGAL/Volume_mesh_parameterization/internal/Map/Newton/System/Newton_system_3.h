@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Direct_system_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Embedded_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_direction_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Quadratic_penalty_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/sums_over_cells_3.h>
@@ -46,7 +47,7 @@ public:
   // Some of the unknowns of a system of one process without a penalty, with the cells around them only.
   Newton_system_3(const Newton_system_3& whole, Unknowns_3 some, Linear_solver_3& solver)
     : m_mesh(whole.m_mesh), m_communicator(whole.m_communicator), m_solver(solver), m_number_of_own_rows(some.size()),
-      m_unknowns(std::move(some)), m_penalty(nullptr), m_scale(whole.m_scale),
+      m_unknowns(std::move(some)), m_boundary(whole.m_boundary), m_penalty(nullptr), m_scale(whole.m_scale),
       m_pattern(sparsity_pattern_3(m_mesh, m_unknowns)), m_packs(whole.m_packs, m_unknowns, m_pattern),
       m_system(solver.make_system(std::move(m_pattern), m_communicator))
   {}
@@ -78,16 +79,32 @@ public:
   void move_from(Positions u) { set_projectors(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel)); }
   void set_projectors(std::vector<Matrix_3> projectors) { m_unknowns.set_projectors(std::move(projectors)); }
 
+  // Lets no step from these positions on, in the user's units, turn over facets against their surfaces or make them intersect.
+  void keep_boundary_embedded(const Matrix3Xd& positions)
+  { m_boundary = std::make_shared<const Embedded_boundary_3>(m_mesh, m_unknowns, positions); }
+
+  bool is_boundary_kept_embedded() const { return m_boundary != nullptr; }
+  bool is_boundary_embedded(const Positions& u) const
+  { return m_boundary == nullptr || m_boundary->spoilt_facets(u / m_scale).empty(); }
+
   // Holds vertices, until projectors are set, that a step would lead uphill after they are put back on their surfaces, as a
-  // fold does. Returns whether there are any.
+  // fold does, and those of facets that it would spoil. Returns whether there are any.
   bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
   {
     if(!are_some_on_surfaces(m_unknowns.conditions()))
       return false;
     Positions gradient = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, gradient);
-    const Positions step = moved(u, length, d).first - u;
-    return m_unknowns.hold_if([&](const int row) { return gradient.col(row).dot(step.col(m_unknowns.vertex(row))) > 0; });
+    const Positions trial = moved(u, length, d).first, step = trial - u;
+    std::set<int> spoilt;
+    if(m_boundary != nullptr)
+      for(const auto& facet : m_boundary->spoilt_facets(trial / m_scale))
+        spoilt.insert(facet.begin(), facet.end());
+    return m_unknowns.hold_if([&](const int row)
+    {
+      const int v = m_unknowns.vertex(row);
+      return gradient.col(row).dot(step.col(v)) > 0 || spoilt.count(v) == 1;
+    });
   }
 
   Energy_evaluation evaluate(const Cell_energy_3& energy, const Positions& u) const
@@ -276,6 +293,7 @@ private:
   Linear_solver_3& m_solver;
   int m_number_of_own_rows; // they come first; the others are copies
   Unknowns_3 m_unknowns;
+  std::shared_ptr<const Embedded_boundary_3> m_boundary; // none if no boundary slides on surfaces
   const Quadratic_penalty_3* m_penalty;
   double m_scale;
   Reference_cells m_references = Reference_cells::SOURCE;

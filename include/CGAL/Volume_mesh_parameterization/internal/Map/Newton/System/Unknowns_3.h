@@ -109,6 +109,19 @@ public:
     return result;
   }
 
+  // Returns the normals of surfaces at their vertices, and 0 for all other vertices.
+  Matrix3Xd normals_of_surfaces(const Matrix3Xd& positions, const bool is_parallel) const
+  {
+    Matrix3Xd result = Matrix3Xd::Zero(3, number_of_vertices());
+    for_each_on_surface(is_parallel, [&](const int row)
+    {
+      const auto p = positions.col(vertex(row));
+      if(m_conditions[row].kind() == Vertex_condition_3::ON_SURFACE)
+        result.col(vertex(row)) = to_vector(m_conditions[row].surface().nearest_point({ p[0], p[1], p[2] }).direction);
+    });
+    return result;
+  }
+
   void set_projectors(std::vector<Matrix_3> projectors) { m_projectors = std::move(projectors); }
 
   const Conditions_3& conditions() const { return m_conditions; }

@@ -1,0 +1,124 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SELF_INTERSECTION_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SELF_INTERSECTION_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
+
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Intersections_3/Segment_3_Triangle_3.h>
+#include <CGAL/Intersections_3/Triangle_3_Triangle_3.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// Looks, by exact predicates, for two triangles of a surface that have more in common than their common vertices.
+class Self_intersection_3
+{
+public:
+  using Facet = std::array<int, 3>;
+  using Pair = std::pair<std::size_t, std::size_t>; // indices of facets
+
+  Self_intersection_3(const Matrix3Xd& points, const std::vector<Facet>& facets) : m_points(points), m_facets(facets)
+  {}
+
+  // The first pair, whatever the order is in which the boxes are compared. Nothing, if the budget ends before all have been
+  // compared.
+  std::optional<Pair> find(const Budget& budget = Budget()) const
+  {
+    std::optional<Pair> result;
+    struct End_of_time {}; // the only way out of the comparison
+    try
+    {
+      for_each_pair_of_boxes([&](const Pair& pair)
+      {
+        if(budget.is_exhausted())
+          throw End_of_time();
+        if((!result || pair < *result) && do_intersect(pair.first, pair.second))
+          result = pair;
+      });
+    }
+    catch(const End_of_time&) { return std::nullopt; }
+    return result;
+  }
+
+  // All pairs, in any order.
+  std::vector<Pair> find_all() const
+  {
+    std::vector<Pair> result;
+    for_each_pair_of_boxes([&](const Pair& pair)
+    {
+      if(do_intersect(pair.first, pair.second))
+        result.push_back(pair);
+    });
+    return result;
+  }
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Triangle = Kernel::Triangle_3;
+  using Segment = Kernel::Segment_3;
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+
+  // Triangles without area are left out.
+  template <typename Function>
+  void for_each_pair_of_boxes(const Function& f) const
+  {
+    std::vector<Box> boxes;
+    for(std::size_t i = 0; i < m_facets.size(); ++i)
+      if(const Triangle t = triangle(i); !CGAL::collinear(t[0], t[1], t[2]))
+        boxes.emplace_back(t.bbox(), i);
+    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
+    { f(std::minmax(a.info(), b.info())); });
+  }
+
+  Exact_point_3 point(const int v) const { return exact_point(m_points.col(v)); }
+
+  Triangle triangle(const std::size_t f) const
+  { return Triangle(point(m_facets[f][0]), point(m_facets[f][1]), point(m_facets[f][2])); }
+
+  // Common vertices come last.
+  static int put_common_vertices_last(Facet& f, const Facet& other)
+  {
+    const auto is_single = [&](const int v) { return std::find(other.begin(), other.end(), v) == other.end(); };
+    return static_cast<int>(f.end() - std::stable_partition(f.begin(), f.end(), is_single));
+  }
+
+  bool do_intersect(const std::size_t a, const std::size_t b) const
+  {
+    Facet f = m_facets[a], g = m_facets[b];
+    const int n = put_common_vertices_last(f, g);
+    put_common_vertices_last(g, f);
+    if(n == 0)
+      return CGAL::do_intersect(triangle(a), triangle(b));
+    if(n == 1) // the common vertex is an end of all other edges
+      return CGAL::do_intersect(Segment(point(f[0]), point(f[1])), triangle(b))
+          || CGAL::do_intersect(Segment(point(g[0]), point(g[1])), triangle(a));
+    if(n == 2) // folded onto each other
+      return CGAL::coplanar(point(f[1]), point(f[2]), point(f[0]), point(g[0]))
+          && CGAL::coplanar_orientation(point(f[1]), point(f[2]), point(f[0]), point(g[0])) == CGAL::POSITIVE;
+    return true;
+  }
+
+  const Matrix3Xd& m_points;
+  const std::vector<Facet>& m_facets;
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_MESH_SELF_INTERSECTION_3_H

@@ -1,0 +1,76 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_EMBEDDED_BOUNDARY_3_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_EMBEDDED_BOUNDARY_3_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
+
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+// The facets of a boundary that slides on surfaces. What is wrong with them at the start may remain so; nothing else may go wrong.
+class Embedded_boundary_3
+{
+public:
+  using Facet = std::array<int, 3>;
+
+  Embedded_boundary_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Matrix3Xd& positions)
+    : m_unknowns(unknowns), m_is_parallel(mesh.is_parallel), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
+      m_does_intersect(Self_intersection_3(positions, m_facets).find().has_value())
+  {
+    const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
+    for(const Facet& facet : m_facets)
+    {
+      const Vector_3 cosines = products(facet, positions, normals);
+      m_signs.push_back(cosines.sum() < 0 ? -1 : 1);
+    }
+  }
+
+  // Returns the facets that are turned over against their surfaces or intersect each other.
+  std::vector<Facet> spoilt_facets(const Matrix3Xd& positions) const
+  {
+    std::vector<Facet> result;
+    const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+    {
+      const Vector_3 x = m_signs[f] * products(m_facets[f], positions, normals);
+      if(x.maxCoeff() <= 0 && x.minCoeff() < 0)
+        result.push_back(m_facets[f]);
+    }
+    if(!m_does_intersect)
+      for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find_all())
+        result.insert(result.end(), { m_facets[f], m_facets[g] });
+    return result;
+  }
+
+private:
+  // Returns the products of the normal of a facet with those of the surfaces at its vertices.
+  static Vector_3 products(const Facet& facet, const Matrix3Xd& positions, const Matrix3Xd& normals)
+  {
+    const auto& [a, b, c] = facet;
+    const Vector_3 p = positions.col(a);
+    const Vector_3 normal = (Vector_3(positions.col(b)) - p).cross(Vector_3(positions.col(c)) - p);
+    return { normal.dot(normals.col(a)), normal.dot(normals.col(b)), normal.dot(normals.col(c)) };
+  }
+
+  const Unknowns_3& m_unknowns;
+  bool m_is_parallel;
+  std::vector<Facet> m_facets;
+  bool m_does_intersect; // at the start
+  std::vector<double> m_signs; // 1 for facets that are oriented as their surfaces at the start, -1 for others
+};
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_NEWTON_SYSTEM_EMBEDDED_BOUNDARY_3_H
