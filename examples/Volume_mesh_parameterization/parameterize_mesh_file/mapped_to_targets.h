@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
-#include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -81,13 +80,6 @@ Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedPar
       .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(mapped.uvw)));
   if(!result.has_valid_map || result.boundary_residual > 0)
     return fitted;
-  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.facets);
-  if(fit.number_of_turned_facets > 0 || fit.number_of_intersections > 0)
-  {
-    result = fitted;
-    result.message += " The boundary does not slide, because facets would be turned over or intersect each other.";
-    return result;
-  }
   mapped.uvw = std::move(uvw);
   result.number_of_added_vertices = fitted.number_of_added_vertices;
   result.number_of_added_boundary_vertices = fitted.number_of_added_boundary_vertices;

@@ -9,6 +9,7 @@
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Sliding_boundary_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Embedded_boundary_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Newton_system_3.h>
 
 #include <CGAL/property_map.h>
@@ -342,6 +343,34 @@ TEST_CASE("The gradient is that of the energy after vertices are put back on the
                                - system.evaluate(cell_energy, system.moved(u, -h, step).first).energy) / (2 * h);
     CHECK(slope == Approx(difference).epsilon(1e-6));
   }
+}
+
+TEST_CASE("Facets are spoilt that turn over against a surface or intersect each other, if none did at the start")
+{
+  using VMP::internal::Embedded_boundary_3;
+  using VMP::internal::Matrix3Xd;
+  VMP::internal::Numbered_mesh_3 mesh;
+  mesh.cells = { { 0, 1, 2, 3 }, { 4, 5, 6, 7 } };
+  Matrix3Xd apart(3, 8);
+  apart << -1, 1, -1, 1, 9, 11, 9, 11,
+           -1, 1, 1, -1, 9, 11, 11, 9,
+           -1, -1, 1, 1, 9, 9, 11, 11;
+  Matrix3Xd turned = apart, through = apart;
+  turned.leftCols(4) *= -1;
+  through.rightCols(4).array() -= 9.5;
+
+  std::vector<Condition> conditions(8); // free
+  const VMP::internal::Unknowns_3 free(conditions);
+  std::fill_n(conditions.begin(), 4, Condition::on_surface(VMP::Implicit_surface_3(Sphere())));
+  const VMP::internal::Unknowns_3 on_sphere(conditions);
+
+  const Embedded_boundary_3 boundary(mesh, on_sphere, apart);
+  CHECK(boundary.spoilt_facets(apart).empty());
+  CHECK(boundary.spoilt_facets(turned).size() == 4);
+  CHECK(Embedded_boundary_3(mesh, on_sphere, turned).spoilt_facets(turned).empty());
+  CHECK(Embedded_boundary_3(mesh, free, apart).spoilt_facets(turned).empty());
+  CHECK(!boundary.spoilt_facets(through).empty());
+  CHECK(Embedded_boundary_3(mesh, free, through).spoilt_facets(through).empty());
 }
 
 } } // namespace of_surfaces

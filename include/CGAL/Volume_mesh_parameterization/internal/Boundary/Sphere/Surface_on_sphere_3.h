@@ -17,13 +17,13 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-inline Eigen::Vector3d normal_of(const std::array<std::size_t, 3>& facet, const std::vector<Vector_3>& points)
+inline Vector_3 normal_of(const std::array<std::size_t, 3>& facet, const std::vector<Vector_3>& points)
 { return (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]); }
 
 // Point of a surface, with its direction in the sphere and a normal. Normals are continuous over the surface.
 struct Surface_position_3
 {
-  Eigen::Vector3d point, direction, normal;
+  Vector_3 point, direction, normal;
 };
 
 // Triangulated surface with a map onto the unit sphere around the origin. The map is one to one.
@@ -31,11 +31,11 @@ class Surface_on_sphere_3
 {
 public:
   Surface_on_sphere_3(const Numbered_surface_3& surface, const std::vector<Vector_3>& directions)
-    : m_surface(surface), m_directions(directions), m_normals(surface.points.size(), Eigen::Vector3d::Zero())
+    : m_surface(surface), m_directions(directions), m_normals(surface.points.size(), Vector_3::Zero())
   {
     for(const auto& facet : surface.facets)
     {
-      const Eigen::Vector3d normal = normal_of(facet, surface.points);
+      const Vector_3 normal = normal_of(facet, surface.points);
       for(const std::size_t v : facet)
         m_normals[v] += normal;
       m_triangles_in_sphere.push_back(triangle(facet, directions));
@@ -55,28 +55,28 @@ public:
   Surface_on_sphere_3(const Surface_on_sphere_3&) = delete; // the trees refer to the triangles
   Surface_on_sphere_3& operator=(const Surface_on_sphere_3&) = delete;
 
-  Surface_position_3 nearest_position(const Eigen::Vector3d& p) const
+  Surface_position_3 nearest_position(const Vector_3& p) const
   {
     const auto [nearest, primitive] = m_tree.closest_point_and_primitive(kernel_point(p));
     const Facet& facet = m_facets[static_cast<std::size_t>(primitive - m_triangles.cbegin())];
-    const Eigen::Vector3d q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_surface.points);
-    return position(facet, m_surface.points, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+    const Vector_3 q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_surface.points);
+    return position(facet, m_surface.points, [&](const Vector_3& a, const Vector_3& b)
     { return (a - q).cross(b - q).dot(normal); });
   }
 
   // The predicates of the tree are exact, and a ray from inside the polyhedron meets it.
-  Surface_position_3 position_in_direction(const Eigen::Vector3d& d) const
+  Surface_position_3 position_in_direction(const Vector_3& d) const
   {
     const auto primitive = m_tree_in_sphere.any_intersected_primitive(Kernel::Ray_3(kernel_point({ 0, 0, 0 }), kernel_point(d)));
     const Facet& facet = m_surface.facets[static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin())];
-    return position(facet, m_directions, [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.cross(b).dot(d); });
+    return position(facet, m_directions, [&](const Vector_3& a, const Vector_3& b) { return a.cross(b).dot(d); });
   }
 
 private:
   using Kernel = AABB_trees_3::Kernel;
   using Facet = std::array<std::size_t, 3>;
 
-  static Kernel::Point_3 kernel_point(const Eigen::Vector3d& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
+  static Kernel::Point_3 kernel_point(const Vector_3& p) { return Kernel::Point_3(p[0], p[1], p[2]); }
 
   static Kernel::Triangle_3 triangle(const Facet& facet, const std::vector<Vector_3>& points)
   { return Kernel::Triangle_3(kernel_point(points[facet[0]]), kernel_point(points[facet[1]]), kernel_point(points[facet[2]])); }
@@ -85,12 +85,12 @@ private:
   template <typename Area>
   Surface_position_3 position(const Facet& facet, const std::vector<Vector_3>& points, const Area& area) const
   {
-    Eigen::Vector3d weights;
+    Vector_3 weights;
     for(int i = 0; i < 3; ++i)
       weights[i] = (std::max)(area(points[facet[(i + 1) % 3]], points[facet[(i + 2) % 3]]), 0.);
-    weights = weights.sum() > 0 ? Eigen::Vector3d(weights / weights.sum()) : Eigen::Vector3d(1, 0, 0);
+    weights = weights.sum() > 0 ? weights / weights.sum() : Vector_3::Unit(0);
     const auto mean = [&](const std::vector<Vector_3>& values)
-    { return Eigen::Vector3d(weights[0] * values[facet[0]] + weights[1] * values[facet[1]] + weights[2] * values[facet[2]]); };
+    { return weights[0] * values[facet[0]] + weights[1] * values[facet[1]] + weights[2] * values[facet[2]]; };
     return { mean(m_surface.points), mean(m_directions).normalized(), mean(m_normals).normalized() };
   }
 

@@ -63,7 +63,7 @@ private:
   static double double_area(const Surface_position_3& a, const Surface_position_3& b, const Surface_position_3& c)
   { return (a.normal + b.normal + c.normal).normalized().dot((b.point - a.point).cross(c.point - a.point)); }
 
-  bool is_admissible(const int v, const Eigen::Vector3d& direction) const
+  bool is_admissible(const int v, const Vector_3& direction) const
   {
     bool result = true;
     for_each_triangle(v, [&](const int b, const int c)
@@ -75,14 +75,12 @@ private:
 
   void relax(const int v)
   {
-    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+    Vector_3 gradient = Vector_3::Zero();
+    Matrix_3 hessian = Matrix_3::Zero();
     const double before = distortion(v, m_positions[v], &gradient, &hessian);
-    Small_matrix<3, 2> tangents;
-    tangents.col(0) = m_positions[v].normal.unitOrthogonal();
-    tangents.col(1) = m_positions[v].normal.cross(Eigen::Vector3d(tangents.col(0)));
-    const Small_matrix<2, 2> in_plane = tangents.transpose() * hessian * tangents;
-    const Eigen::Vector3d step = -tangents * (in_plane.inverse() * (tangents.transpose() * gradient));
+    const Vector_3 normal = m_positions[v].normal;
+    const Matrix_3 along = Matrix_3::outer_product(normal, normal), in_plane = Matrix_3::Identity() - along;
+    const Vector_3 step = -((in_plane * hessian * in_plane + hessian.trace() * along).inverse() * (in_plane * gradient));
     if(!step.allFinite())
       return;
     constexpr double smallest = 0.01; // a guess
@@ -98,13 +96,13 @@ private:
   }
 
   // Returns the distortion around v with a position of v. Adds the gradient and a positive approximation of the Hessian.
-  double distortion(const int v, const Surface_position_3& position, Eigen::Vector3d* gradient = nullptr,
-                    Eigen::Matrix3d* hessian = nullptr) const
+  double distortion(const int v, const Surface_position_3& position, Vector_3* gradient = nullptr,
+                    Matrix_3* hessian = nullptr) const
   {
     double result = 0;
     for_each_triangle(v, [&](const int j, const int k)
     {
-      const Eigen::Vector3d &p = m_points[v], &q = m_points[j], &r = m_points[k];
+      const Vector_3 &p = m_points[v], &q = m_points[j], &r = m_points[k];
       double pq = (q - p).squaredNorm(), qr = (r - q).squaredNorm(), rp = (p - r).squaredNorm();
       const double regular = 1e-6 * (pq + qr + rp); // gives a flat triangle a positive area; the size is a guess
       pq += regular;
@@ -112,18 +110,18 @@ private:
       rp += regular;
       const double area = std::sqrt(2 * (pq * qr + qr * rp + rp * pq) - (pq * pq + qr * qr + rp * rp)) / 4;
       const double at_a = (pq + rp - qr) / (4 * area), at_b = (pq + qr - rp) / (4 * area), at_c = (qr + rp - pq) / (4 * area);
-      const Eigen::Vector3d &a = position.point, &b = m_positions[j].point, &c = m_positions[k].point;
+      const Vector_3 &a = position.point, &b = m_positions[j].point, &c = m_positions[k].point;
       const double dirichlet = (at_a * (b - c).squaredNorm() + at_b * (a - c).squaredNorm() + at_c * (a - b).squaredNorm()) / 2;
       const double d = double_area(position, m_positions[j], m_positions[k]) / (2 * area);
       const double root = std::sqrt(d * d + m_epsilon * m_epsilon), x = (d + root) / 2, slope = x / root;
       result += dirichlet * (1 + 1 / (x * x));
       if(gradient == nullptr)
         return;
-      const Eigen::Vector3d normal = (position.normal + m_positions[j].normal + m_positions[k].normal).normalized();
-      const Eigen::Vector3d x_gradient = slope * normal.cross(c - b) / (2 * area);
+      const Vector_3 normal = (position.normal + m_positions[j].normal + m_positions[k].normal).normalized();
+      const Vector_3 x_gradient = slope * normal.cross(c - b) / (2 * area);
       *gradient += (1 + 1 / (x * x)) * (at_b * (a - c) + at_c * (a - b)) - 2 * dirichlet / (x * x * x) * x_gradient;
-      *hessian += (1 + 1 / (x * x)) * (at_b + at_c) * Eigen::Matrix3d::Identity()
-                + 6 * dirichlet / (x * x * x * x) * x_gradient * x_gradient.transpose();
+      *hessian += (1 + 1 / (x * x)) * (at_b + at_c) * Matrix_3::Identity()
+                + 6 * dirichlet / (x * x * x * x) * Matrix_3::outer_product(x_gradient, x_gradient);
     });
     return result;
   }

@@ -23,41 +23,43 @@
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Points of a body, each with the point of a target that it should be near to.
-using Point_pairs_3 = std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d> >;
+using Point_pair_3 = std::pair<Vector_3, Vector_3>;
+using Point_pairs_3 = std::vector<Point_pair_3>;
 
 // Area, center and principal axes of a surface.
 struct Moments_3
 {
   double area = 0;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d axes; // columns of a rotation, by ascending moments
+  Vector_3 center = Vector_3::Zero();
+  Matrix_3 axes; // columns of a rotation, by ascending moments
 
   explicit Moments_3(const Numbered_surface_3& surface)
   {
-    const Eigen::Vector3d origin = surface.points[0];
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+    const Vector_3 origin = surface.points[0];
+    Matrix_3 second = Matrix_3::Zero();
     for(const auto& facet : surface.facets)
     {
       const double part = normal_of(facet, surface.points).norm() / 2;
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      Vector_3 sum = Vector_3::Zero();
       for(const std::size_t v : facet)
       {
-        const Eigen::Vector3d p = surface.points[v] - origin;
+        const Vector_3 p = surface.points[v] - origin;
         sum += p;
-        second += part / 12 * p * p.transpose();
+        second += part / 12 * Matrix_3::outer_product(p, p);
       }
       area += part;
       center += part / 3 * sum;
-      second += part / 12 * sum * sum.transpose();
+      second += part / 12 * Matrix_3::outer_product(sum, sum);
     }
-    center /= area;
-    axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second / area - center * center.transpose()).eigenvectors();
-    axes.col(2) *= axes.determinant() < 0 ? -1 : 1;
+    center = center / area;
+    const Eigen::Matrix3d central = second / area - Matrix_3::outer_product(center, center);
+    axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(central).eigenvectors();
+    axes.col(2) = (axes.determinant() < 0 ? -1 : 1) * axes.col(2);
     center += origin;
   }
 };
 
-inline int nearest_vertex(const Numbered_surface_3& surface, const Eigen::Vector3d& p)
+inline int nearest_vertex(const Numbered_surface_3& surface, const Vector_3& p)
 {
   const auto nearest = std::min_element(surface.points.begin(), surface.points.end(), [&](const auto& q, const auto& r)
   { return (q - p).squaredNorm() < (r - p).squaredNorm(); });
@@ -66,11 +68,11 @@ inline int nearest_vertex(const Numbered_surface_3& surface, const Eigen::Vector
 
 // Returns vertices of a body with the directions that they should have, in one or several ways. Without landmarks, principal axes
 // are put on principal axes, whose signs are open, and each vertex should have the direction of the nearest point of the target.
-inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_directions_3(
-  const Numbered_surface_3& surface, const Moments_3& of_surface, const Moments_3& of_target,
-  const Surface_on_sphere_3& on_sphere, const Point_pairs_3& landmarks)
+inline std::vector<std::vector<std::pair<int, Vector_3> > > wanted_directions_3(
+  const Numbered_surface_3& surface, const Numbered_surface_3& target, const Surface_on_sphere_3& on_sphere,
+  const Point_pairs_3& landmarks)
 {
-  std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > result;
+  std::vector<std::vector<std::pair<int, Vector_3> > > result;
   if(!landmarks.empty())
   {
     result.resize(1);
@@ -78,14 +80,14 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
       result[0].emplace_back(nearest_vertex(surface, p), on_sphere.nearest_position(q).direction);
     return result;
   }
-  for(const auto& [x, y] : { std::pair(1, 1), { 1, -1 }, { -1, 1 }, { -1, -1 } })
+  const Moments_3 of_surface(surface), of_target(target);
+  for(const auto& signs : { Vector_3(1, 1, 1), { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } })
   {
-    const Eigen::Matrix3d turn = of_target.axes * Eigen::Vector3d(x, y, x * y).asDiagonal() * of_surface.axes.transpose()
-                               * std::sqrt(of_target.area / of_surface.area);
+    const Matrix_3 turn = of_target.axes * Matrix_3::diagonal(signs) * of_surface.axes.transpose();
     result.emplace_back();
     for(std::size_t v = 0; v < surface.points.size(); ++v)
       result.back().emplace_back(static_cast<int>(v), on_sphere.nearest_position(
-        of_target.center + turn * Eigen::Vector3d(surface.points[v] - of_surface.center)).direction);
+        of_target.center + turn * (surface.points[v] - of_surface.center)).direction);
   }
   return result;
 }
@@ -93,6 +95,15 @@ inline std::vector<std::vector<std::pair<int, Eigen::Vector3d> > > wanted_direct
 // Returns a size, a power of two, by which coordinates are divided without a loss of digits.
 inline double size_of(const Numbered_surface_3& surface)
 { return std::exp2(std::ilogb(bounding_box(surface.points).diagonal().maxCoeff())); }
+
+// Divides the coordinates of a surface and of its side of the landmarks.
+inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector_3 Point_pair_3::* const side, const double size)
+{
+  for(Vector_3& p : surface.points)
+    p = p / size;
+  for(Point_pair_3& pair : landmarks)
+    pair.*side = pair.*side / size;
+}
 
 // A triangulated sphere, mapped one to one to the unit sphere.
 struct Surface_in_sphere_3
@@ -136,80 +147,86 @@ struct Surface_pair_3
   }
 };
 
+// Returns the ways in which landmarks or axes turn the surface of a pair, those with less distortion first.
+inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks, const double epsilon,
+                                                const Budget& budget)
+{
+  constexpr int number_of_sweeps = 5; // a guess
+  const Surface_on_sphere_3 on_sphere(*pair.target.surface, pair.target.directions);
+  std::vector<Surface_pair_3> result;
+  for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks))
+  {
+    result.push_back(pair);
+    turn_to_landmarks_3(wanted, result.back().surface.directions);
+    result.back().relax(number_of_sweeps, epsilon, budget);
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
+  return result;
+}
+
+// Moves vertices until the images are fitted, and remain so with less smoothing. Returns no images if they are never fitted.
+template <typename IsFitted>
+std::vector<Vector_3> fitted_images(Surface_pair_3 pair, const double smooth, const IsFitted& is_fitted, const Budget& budget)
+{
+  constexpr int number_of_rounds = 40, sweeps_of_round = 3, last_sweeps = 15; // guesses
+  constexpr double sharp = 0.01; // a guess for e
+  std::vector<Vector_3> result;
+  for(int round = 0; round <= number_of_rounds && !budget.is_exhausted(); ++round)
+  {
+    if(round > 0)
+      pair.relax_both(sweeps_of_round, smooth, budget);
+    if(!is_fitted(pair.images))
+      continue;
+    result = pair.images;
+    Surface_pair_3 relaxed = pair;
+    relaxed.relax(last_sweeps, sharp, budget);
+    if(is_fitted(relaxed.images))
+      return relaxed.images;
+  }
+  return result;
+}
+
 // Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over.
 inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_3 target, Point_pairs_3 landmarks,
                                    std::vector<Vector_3>& images, const Budget& budget)
 {
-  for(const auto& [p, q] : landmarks)
-    if(!p.allFinite() || !q.allFinite())
-      return ERROR_INVALID_LANDMARK;
+  if(!std::all_of(landmarks.begin(), landmarks.end(), [](const auto& pair) { return (pair.first + pair.second).allFinite(); }))
+    return ERROR_INVALID_LANDMARK;
   std::vector<Vector_3> directions, directions_of_target;
   if(const Error_code status = map_to_sphere_3(surface, Landmarks_3(), directions, budget); status != OK)
     return status;
   if(map_to_sphere_3(target, Landmarks_3(), directions_of_target, budget) != OK)
     return ERROR_TARGET_NOT_A_SPHERE;
 
-  const double size_of_surface = size_of(surface), size = size_of(target);
-  for(auto& [p, q] : landmarks)
-  {
-    p /= size_of_surface;
-    q /= size;
-  }
-  for(Vector_3& p : surface.points)
-    p = p / size_of_surface;
-  for(Vector_3& p : target.points)
-    p = p / size;
-  const Moments_3 of_surface(surface), of_target(target);
-  if(!(of_target.area > 0))
+  const double size = size_of(target);
+  divide(target, landmarks, &Point_pair_3::second, size);
+  divide(surface, landmarks, &Point_pair_3::first, size_of(surface));
+  const double area = Moments_3(target).area;
+  if(!(area > 0))
     return ERROR_TARGET_NOT_A_SPHERE;
-  Numbered_surface_3 scaled = surface; // to the area of the target
-  for(Vector_3& p : scaled.points)
-    p = std::sqrt(of_target.area / of_surface.area) * p;
+  divide(surface, landmarks, &Point_pair_3::first, std::sqrt(Moments_3(surface).area / area));
 
   Boundary_mesh_3 mesh, mesh_of_target;
   build_boundary_mesh_3(surface, mesh);
   build_boundary_mesh_3(target, mesh_of_target);
   const Vertex_rings_3 rings(mesh), rings_of_target(mesh_of_target);
-  const Surface_on_sphere_3 on_sphere(target, directions_of_target);
   const Triangulated_surface_3 triangulated(arrays_of(target.points), target.facets);
-  const auto is_fitted = [&](const Surface_pair_3& pair)
+  const auto is_fitted = [&](const std::vector<Vector_3>& candidates)
   {
-    set_points(mesh, pair.images);
+    set_points(mesh, candidates);
     return number_of_turned_facets(mesh, triangulated) == 0 && !Polygon_mesh_processing::does_self_intersect(mesh);
   };
-  constexpr int sweeps_to_compare = 5, sweeps_of_round = 3, number_of_rounds = 40, last_sweeps = 15; // guesses
-  constexpr double smooth = 0.1, sharp = 0.01; // guesses for e
-  std::vector<Surface_pair_3> pairs;
-  for(const auto& wanted : wanted_directions_3(surface, of_surface, of_target, on_sphere, landmarks))
+  constexpr double smooth = 0.1; // a guess for e
+  const Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
+  for(const Surface_pair_3& turned : turned_pairs(pair, landmarks, smooth, budget))
   {
-    pairs.push_back({ { &scaled, &rings, directions }, { &target, &rings_of_target, directions_of_target } });
-    turn_to_landmarks_3(wanted, pairs.back().surface.directions);
-    pairs.back().relax(sweeps_to_compare, smooth, budget);
+    images = fitted_images(turned, smooth, is_fitted, budget);
+    for(Vector_3& p : images)
+      p = p * size;
+    if(!images.empty())
+      return OK;
   }
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
-  std::vector<Vector_3> fitted;
-  for(auto pair = pairs.begin(); pair != pairs.end() && fitted.empty(); ++pair)
-    for(int round = 0; round <= number_of_rounds && !budget.is_exhausted(); ++round)
-    {
-      if(round > 0)
-        pair->relax_both(sweeps_of_round, smooth, budget);
-      if(!is_fitted(*pair))
-        continue;
-      fitted = pair->images;
-      Surface_pair_3 relaxed = *pair;
-      relaxed.relax(last_sweeps, sharp, budget);
-      if(is_fitted(relaxed))
-      {
-        fitted = relaxed.images;
-        break;
-      }
-    }
-  if(fitted.empty())
-    return ERROR_BOUNDARY_NOT_FITTED;
-  images.clear();
-  for(const Vector_3& p : fitted)
-    images.push_back(p * size);
-  return OK;
+  return ERROR_BOUNDARY_NOT_FITTED;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

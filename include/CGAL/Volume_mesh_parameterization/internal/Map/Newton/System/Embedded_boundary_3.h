@@ -31,10 +31,7 @@ public:
   {
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(const Facet& facet : m_facets)
-    {
-      const Vector_3 cosines = products(facet, positions, normals);
-      m_signs.push_back(cosines.sum() < 0 ? -1 : 1);
-    }
+      m_signs.push_back(products(facet, positions, normals).maxCoeff() <= 0 ? -1 : 1);
   }
 
   // Returns the facets that are turned over against their surfaces or intersect each other.
@@ -68,7 +65,7 @@ private:
   bool m_is_parallel;
   std::vector<Facet> m_facets;
   bool m_does_intersect; // at the start
-  std::vector<double> m_signs; // 1 for facets that are oriented as their surfaces at the start, -1 for others
+  std::vector<double> m_signs; // -1 for facets that are turned over at the start, 1 for all others
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
