@@ -21,13 +21,12 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Looks, by exact predicates, for two triangles of a surface that have more in common than their common vertices.
+// Looks, by exact predicates, for pairs of triangles of a surface that have more in common than their common vertices.
 class Self_intersection_3
 {
 public:
@@ -37,35 +36,27 @@ public:
   Self_intersection_3(const Matrix3Xd& points, const std::vector<Facet>& facets) : m_points(points), m_facets(facets)
   {}
 
-  // The first pair, whatever the order is in which the boxes are compared. Nothing, if the budget ends before all have been
-  // compared.
-  std::optional<Pair> find(const Budget& budget = Budget()) const
+  // The pairs, in ascending order. None, if the budget ends before all have been compared. Triangles without area are left out.
+  std::vector<Pair> find(const Budget& budget = Budget()) const
   {
-    std::optional<Pair> result;
+    std::vector<Box> boxes;
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      if(const Triangle t = triangle(f); !CGAL::collinear(t[0], t[1], t[2]))
+        boxes.emplace_back(t.bbox(), f);
+    std::vector<Pair> result;
     struct End_of_time {}; // the only way out of the comparison
     try
     {
-      for_each_pair_of_boxes([&](const Pair& pair)
+      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
       {
         if(budget.is_exhausted())
           throw End_of_time();
-        if((!result || pair < *result) && do_intersect(pair.first, pair.second))
-          result = pair;
+        if(const Pair pair = std::minmax(a.info(), b.info()); do_intersect(pair.first, pair.second))
+          result.push_back(pair);
       });
     }
-    catch(const End_of_time&) { return std::nullopt; }
-    return result;
-  }
-
-  // All pairs, in any order.
-  std::vector<Pair> find_all() const
-  {
-    std::vector<Pair> result;
-    for_each_pair_of_boxes([&](const Pair& pair)
-    {
-      if(do_intersect(pair.first, pair.second))
-        result.push_back(pair);
-    });
+    catch(const End_of_time&) { return {}; }
+    std::sort(result.begin(), result.end());
     return result;
   }
 
@@ -74,18 +65,6 @@ private:
   using Triangle = Kernel::Triangle_3;
   using Segment = Kernel::Segment_3;
   using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-
-  // Triangles without area are left out.
-  template <typename Function>
-  void for_each_pair_of_boxes(const Function& f) const
-  {
-    std::vector<Box> boxes;
-    for(std::size_t i = 0; i < m_facets.size(); ++i)
-      if(const Triangle t = triangle(i); !CGAL::collinear(t[0], t[1], t[2]))
-        boxes.emplace_back(t.bbox(), i);
-    CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
-    { f(std::minmax(a.info(), b.info())); });
-  }
 
   Exact_point_3 point(const int v) const { return exact_point(m_points.col(v)); }
 

@@ -76,12 +76,16 @@ private:
   bool move(const double negative_curvature, const Budget& budget)
   {
     constexpr double short_step = 1. / 16; // a guess; where vertices that a fold of their surface holds shorten steps
-    if(try_to_move(negative_curvature, budget) && m_iterate.step_length >= short_step)
-      return true;
-    const bool has_moved = m_iterate.step_length > 0;
-    const bool holds_some = m_iterate.direction.is_usable()
-                            && m_system.hold_stuck_vertices(m_energy, m_iterate.u, short_step, m_iterate.direction.vectors);
-    return has_moved || (holds_some && try_to_move(negative_curvature, budget));
+    constexpr int number_of_trials = 4; // a guess; each with more vertices held
+    bool has_moved = false;
+    for(int trial = 0; trial < number_of_trials; ++trial)
+    {
+      has_moved = try_to_move(negative_curvature, budget) || has_moved;
+      if(m_iterate.step_length >= short_step || !m_iterate.direction.is_usable()
+         || !m_system.hold_stuck_vertices(m_energy, m_iterate.u, short_step, m_iterate.direction.vectors))
+        break;
+    }
+    return has_moved;
   }
 
   bool try_to_move(const double negative_curvature, const Budget& budget)

@@ -27,7 +27,7 @@ public:
 
   Embedded_boundary_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Matrix3Xd& positions)
     : m_unknowns(unknowns), m_is_parallel(mesh.is_parallel), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
-      m_does_intersect(Self_intersection_3(positions, m_facets).find().has_value())
+      m_does_intersect(!Self_intersection_3(positions, m_facets).find().empty())
   {
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(const Facet& facet : m_facets)
@@ -46,7 +46,7 @@ public:
         result.push_back(m_facets[f]);
     }
     if(!m_does_intersect)
-      for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find_all())
+      for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find())
         result.insert(result.end(), { m_facets[f], m_facets[g] });
     return result;
   }
@@ -56,8 +56,7 @@ private:
   static Vector_3 products(const Facet& facet, const Matrix3Xd& positions, const Matrix3Xd& normals)
   {
     const auto& [a, b, c] = facet;
-    const Vector_3 p = positions.col(a);
-    const Vector_3 normal = (Vector_3(positions.col(b)) - p).cross(Vector_3(positions.col(c)) - p);
+    const Vector_3 p = positions.col(a), q = positions.col(b), r = positions.col(c), normal = (q - p).cross(r - p);
     return { normal.dot(normals.col(a)), normal.dot(normals.col(b)), normal.dot(normals.col(c)) };
   }
 
