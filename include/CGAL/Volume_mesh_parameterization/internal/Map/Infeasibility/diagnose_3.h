@@ -73,7 +73,8 @@ inline std::string describe_self_intersection(const Numbered_mesh_3& mesh, const
     return describe(mesh.source.col(a)) + ", " + describe(mesh.source.col(b)) + ", " + describe(mesh.source.col(c));
   };
   return sentence(" The ", name, " intersects itself, for instance in the images of two facets. The vertices of the first facet "
-                  "are at ", corners(found.front().first), " in the source, and those of the second one at ", corners(found.front().second));
+                  "are at ", corners(found.front().first), " in the source, and those of the second one at ",
+                  corners(found.front().second));
 }
 
 // Looks at the cells that are not positive in the best images that were found.
