@@ -46,7 +46,7 @@ struct Found_map_3
   std::string untangling_method;        // that has found the first map
   bool may_be_near_minimum = false;     // if the initial map needed no step to untangle; then the full Hessian is tried first
   std::size_t number_of_sliding_vertices = 0;
-  bool has_slid_on_surfaces = false;    // which may intersect each other
+  bool has_slid_on_surfaces = false;    // whose facets may intersect each other if they did before
   std::size_t number_of_inverted_cells_at_start = 0;
   Splits_3 splits;                      // with which fewer cells are inverted, if few are left and some were found
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
