@@ -22,13 +22,12 @@ inline std::size_t number_of_turned_facets(const Boundary_mesh_3& mesh, const Tr
 {
   const auto is_turned = [&](const Boundary_mesh_3::Face_index f)
   {
-    std::array<Vector_3, 4> points; // the last one is the center
-    for(int i = 0; i < 3; ++i)
-      points[i] = to_vector(mesh.point(vertices_of_face(mesh, f)[i]));
-    points[3] = (points[0] + points[1] + points[2]) / 3;
-    const Vector_3 normal = (points[1] - points[0]).cross(points[2] - points[0]);
-    return std::all_of(points.begin(), points.end(), [&](const Vector_3& p)
-    { return normal.dot(to_vector(surface.nearest_point(coordinates(p)).direction)) <= 0; });
+    const auto [a, b, c] = vertices_of_face(mesh, f);
+    const Vector_3 p = to_vector(mesh.point(a)), q = to_vector(mesh.point(b)), r = to_vector(mesh.point(c)),
+                   center = (p + q + r) / 3, normal = (q - p).cross(r - p);
+    const auto points = { p, q, r, center };
+    return std::all_of(points.begin(), points.end(), [&](const Vector_3& x)
+    { return normal.dot(to_vector(surface.nearest_point(coordinates(x)).direction)) <= 0; });
   };
   return static_cast<std::size_t>(std::count_if(mesh.faces().begin(), mesh.faces().end(), is_turned));
 }

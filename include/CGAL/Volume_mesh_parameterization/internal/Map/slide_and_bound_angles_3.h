@@ -123,7 +123,7 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
       return found;
   }
   Newton_system_3 system(mesh, free_vertices(mesh, boundary.conditions()), problem.solver);
-  if(found.has_slid_on_surfaces && mesh.is_whole())
+  if(found.has_slid_on_surfaces)
     system.keep_boundary_embedded(found.map.positions);
   const auto minimize = [&](const Cell_energy_3& psi, Found_map_3 from, const Ends_here& ends_here = nullptr)
   {

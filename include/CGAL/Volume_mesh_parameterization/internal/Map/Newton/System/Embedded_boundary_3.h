@@ -16,10 +16,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Unknowns_3.h>
 
-
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The facets of a boundary that slides on surfaces. What is wrong with them at the start may remain so; nothing else may go wrong.
+// The facets of a boundary that slides on surfaces. Each keeps the side of its surface that it shows at the start, also a wrong
+// one. None may intersect another one unless some do at the start.
 class Embedded_boundary_3
 {
 public:
@@ -34,7 +34,7 @@ public:
       m_signs.push_back(products(facet, positions, normals).maxCoeff() <= 0 ? -1 : 1);
   }
 
-  // Returns the facets that are turned over against their surfaces or intersect each other.
+  // Returns the facets that show another side of their surfaces than at the start, or begin to intersect each other.
   std::vector<Facet> spoilt_facets(const Matrix3Xd& positions) const
   {
     std::vector<Facet> result;
@@ -64,7 +64,7 @@ private:
   bool m_is_parallel;
   std::vector<Facet> m_facets;
   bool m_does_intersect; // at the start
-  std::vector<double> m_signs; // -1 for facets that are turned over at the start, 1 for all others
+  std::vector<double> m_signs; // -1 for facets with normals against those of their surfaces at the start, 1 for all others
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
