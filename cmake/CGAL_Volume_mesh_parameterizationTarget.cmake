@@ -29,7 +29,8 @@ function(CGAL_Volume_mesh_parameterization_add_engine package)
   string(TOUPPER ${package} macro)
   add_library(${package}_engine STATIC ${ARGN})
   add_library(CGAL::${name}_engine ALIAS ${package}_engine)
-  set_target_properties(${package}_engine PROPERTIES EXPORT_NAME ${name}_engine)
+  set_target_properties(${package}_engine PROPERTIES EXPORT_NAME ${name}_engine
+    POSITION_INDEPENDENT_CODE ON) # shared libraries link it, too
   target_link_libraries(${package}_engine PUBLIC ${package})
   target_compile_definitions(${package}_engine PUBLIC ${macro}_COMPILED_ENGINE)
   if(${PROJECT_NAME}_NATIVE)

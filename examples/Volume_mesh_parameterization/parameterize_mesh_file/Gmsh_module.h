@@ -14,7 +14,6 @@
 #include <string>
 #include <utility>
 
-// The module is header-only. Classes of the package have other names in it than in the program, and the same layout.
 struct Gmsh_module
 {
   void (*read)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup);
