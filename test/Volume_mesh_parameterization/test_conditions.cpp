@@ -614,8 +614,10 @@ TEST_CASE("Containers of the maps of vertices may be constant and lack vertices"
   const auto images = images_with(np.vertex_condition_map(VMP::make_vertex_condition_map(std::as_const(conditions))));
   CHECK(images.size() == 27);
   CHECK(images == images_with(np.vertex_is_constrained_map(CGAL::Boolean_property_map<Vertices>(none))));
-  CHECK(get(VMP::make_vertex_condition_map(std::as_const(conditions)), Vertex_handle()).kind() == Condition::free().kind());
-  put(VMP::make_vertex_condition_map(conditions), Vertex_handle(), Condition::at_target());
+  const Vertex_handle inside = std::find_if(images.begin(), images.end(), [&](const auto& image)
+                                            { return targets.count(image.first) == 0; })->first;
+  CHECK(get(VMP::make_vertex_condition_map(std::as_const(conditions)), inside).kind() == Condition::free().kind());
+  put(VMP::make_vertex_condition_map(conditions), inside, Condition::at_target());
   CHECK(conditions.size() == 27);
 }
 
