@@ -161,11 +161,13 @@ fuzz_readers()
 }
 
 # Prints the part of the lines of include/ that tests reach, by folder. The others are in FOLDER/coverage/untested.txt.
+# Counters are mapped to files (%c), as processes that read files end without their exit handlers.
 measure_coverage()
 {
   local build="$folder/coverage" programs status=0
   rm -rf "$build/profiles"
-  CXXFLAGS="-fprofile-instr-generate -fcoverage-mapping" LLVM_PROFILE_FILE="$build/profiles/%m.profraw" \
+  CXXFLAGS="-fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation -Wno-unused-command-line-argument" \
+    LLVM_PROFILE_FILE="$build/profiles/%c%m.profraw" \
     build_and_test coverage -DCMAKE_CXX_COMPILER=clang++ || status=1
   mapfile -t programs < <(find "$build" -type f -executable ! -name '*.so*' ! -path '*CMakeFiles*' ! -path '*/installed*' |
     while read -r program; do [ "$(head -c 4 "$program" | tail -c 3)" != ELF ] || printf -- '-object\n%s\n' "$program"; done)
