@@ -161,24 +161,31 @@ fuzz_readers()
 }
 
 # Prints the part of the lines of include/ that tests reach, by folder. The others are in FOLDER/coverage/untested.txt.
-# Counters are mapped to files (%c), as processes that read files end without their exit handlers.
+# Counters are mapped to files (%c), as processes that read files end without their exit handlers. Programs are asked one by
+# one, as a function that one of them does not use hides its counts in another one.
 measure_coverage()
 {
-  local build="$folder/coverage" programs status=0
-  rm -rf "$build/profiles"
+  local build="$folder/coverage" status=0
+  rm -rf "$build/profiles" "$build/untested.txt"
   CXXFLAGS="-fprofile-instr-generate -fcoverage-mapping -mllvm -runtime-counter-relocation -Wno-unused-command-line-argument" \
     LLVM_PROFILE_FILE="$build/profiles/%c%m.profraw" \
     build_and_test coverage -DCMAKE_CXX_COMPILER=clang++ || status=1
-  mapfile -t programs < <(find "$build" -type f -executable ! -name '*.so*' ! -path '*CMakeFiles*' ! -path '*/installed*' |
-    while read -r program; do [ "$(head -c 4 "$program" | tail -c 3)" != ELF ] || printf -- '-object\n%s\n' "$program"; done)
-  llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw &&
-    llvm-cov export -format=lcov -instr-profile="$build/all.profdata" "${programs[@]:1}" |
+  llvm-profdata merge -sparse -o "$build/all.profdata" "$build"/profiles/*.profraw || return 1
+  find "$build" -type f -executable ! -path '*CMakeFiles*' ! -path '*/installed*' |
+    while read -r program; do
+      [ "$(head -c 4 "$program" | tail -c 3)" != ELF ] ||
+        llvm-cov export -format=lcov -instr-profile="$build/all.profdata" "$program"
+    done |
     awk -v include="$root/include/CGAL/" -v untested="$build/untested.txt" '
-      /^SF:/ { is_ours = index($0, include); file = substr($0, 4 + length(include)); part = file; sub(/\/?[^\/]*$/, "", part) }
-      /^DA:/ && is_ours { split(substr($0, 4), number, ","); ++lines[part]
-                          if(number[2] > 0) ++reached[part]; else print file ":" number[1] > untested }
-      END { for(part in lines) printf "%5.1f %% of %5d lines  %s\n", 100 * reached[part] / lines[part], lines[part], part }' | sort -k 6 &&
-    return "$status"
+      /^SF:/ { is_ours = index($0, include); file = substr($0, 4 + length(include)) }
+      /^DA:/ && is_ours { split(substr($0, 4), number, ","); count[file ":" number[1]] += number[2] }
+      END { for(line in count) { part = line
+                                 sub(/\/?[^\/]*$/, "", part)
+                                 ++lines[part]
+                                 if(count[line] > 0) ++reached[part]; else print line > untested }
+            for(part in lines) printf "%5.1f %% of %5d lines  %s\n", 100 * reached[part] / lines[part], lines[part], part }' |
+    sort -k 6
+  return "$status"
 }
 
 # Several threads are a program of their own.
