@@ -1,4 +1,4 @@
-// A ring of prisms: three edges lead around it, and a box with holes has four sides there.
+// A ring of prisms: three edges lead around it, and a box with a hole has four sides there.
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_RING_OF_PRISMS_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_RING_OF_PRISMS_H
 

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_holes_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_hole_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Order_of_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
@@ -130,16 +130,14 @@ inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Found_poly
   return { OK, turned.rotation, std::move(found.images), std::move(map.splits), std::move(map.images) };
 }
 
-// Maps a surface with handles for which no labels of a polycube are found. Boxes with several holes were more distorted than
-// voxels on all bodies: they come last.
+// Maps a surface with handles for which no labels of a polycube are found. Several handles need voxels, and splits: boxes with
+// several holes met the boundary of no body.
 inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
-  const bool are_several = number_of_handles(turned.mesh) > 1;
-  if(are_several)
-    if(Found_polycube_3 found = with_voxels_3(turned, {}, may_split, budget); found.status == OK)
-      return found;
-  Surface_map_3 box = map_to_box_with_holes_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
-  return with_voxels_3(turned, { box.status, turned.rotation, std::move(box.images) }, may_split && !are_several, budget);
+  Surface_map_3 box = { ERROR_BOUNDARY_TOO_COARSE };
+  if(number_of_handles(turned.mesh) == 1)
+    box = map_to_box_with_hole_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
+  return with_voxels_3(turned, { box.status, turned.rotation, std::move(box.images) }, may_split, budget);
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.

@@ -14,7 +14,6 @@
 
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <map>
 #include <queue>
@@ -22,14 +21,13 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Closed loops of vertices on the boundary of a body that bound disjoint discs inside, one for each handle: cut along the
-// discs, the body is a ball.
+// Meridians of a body with one handle: closed loops of vertices on the boundary that bound discs inside. Cut along such a disc,
+// the body is a ball.
 //
 // The body is filled from one of its cells, each other cell through one facet. The filled cells are a ball, glued to itself
 // at all other, closed facets. The ball remains one if a closed facet is opened with an edge inside that no other closed
-// facet has; as long as there are such facets, the one nearest to the first cell is opened. So fronts from both sides of a
-// handle leave a disc where they meet. If discs meet in a line, only discs that meet no other one become walls, and the body
-// is filled again, from another cell.
+// facet has; as long as there are such facets, the one nearest to the first cell is opened. So fronts from both sides of the
+// handle leave a disc where they meet.
 class Meridians_3
 {
 public:
@@ -70,21 +68,12 @@ public:
     });
   }
 
-  // Returns a number of loops, or fewer if no more are found. The body is filled from `first_cell` and other cells.
-  std::vector<Loop> loops(const std::size_t number, const std::size_t first_cell, const Budget& budget)
+  // Returns the meridian where the fronts from a cell meet; an empty one if they do not leave one disc.
+  Loop from(const std::size_t first_cell)
   {
-    constexpr std::size_t maximum_number_of_fillings = 16; // a guess
-    m_loops.clear();
-    m_is_wall.assign(m_cells.size(), false);
-    m_is_on_wall.assign(m_edges.size(), false);
-    m_is_used.clear();
-    for(std::size_t i = 0; i < maximum_number_of_fillings && m_loops.size() < number && !budget.is_exhausted(); ++i)
-    {
-      fill_from((first_cell + i * m_facets_of_cell.size() / maximum_number_of_fillings) % m_facets_of_cell.size());
-      open_facets();
-      build_walls();
-    }
-    return m_loops;
+    fill_from(first_cell);
+    open_facets();
+    return border_of_closed_facets();
   }
 
 private:
@@ -103,7 +92,7 @@ private:
     std::vector<std::size_t> filled(1, first_cell);
     for(std::size_t i = 0; i < filled.size(); ++i)
       for(const std::size_t f : m_facets_of_cell[filled[i]])
-        if(const std::size_t c = m_cells[f][0] + m_cells[f][1] - filled[i]; m_level[c] < 0 && !m_is_wall[f])
+        if(const std::size_t c = m_cells[f][0] + m_cells[f][1] - filled[i]; m_level[c] < 0)
         {
           m_level[c] = m_level[filled[i]] + 1;
           m_is_closed[f] = false;
@@ -118,7 +107,7 @@ private:
 
   bool is_inside_of_one_facet(const std::size_t e) const
   {
-    return !m_edges[e].is_on_boundary && !m_is_on_wall[e] && number_of_closed_facets(m_edges[e]) == 1;
+    return !m_edges[e].is_on_boundary && number_of_closed_facets(m_edges[e]) == 1;
   }
 
   void open_facets()
@@ -147,53 +136,31 @@ private:
     }
   }
 
-  // Makes walls of closed facets that are joined by edges, where they are discs that touch no other ones.
-  void build_walls()
+  // Returns the border of the closed facets; an empty one if they are not one disc.
+  Loop border_of_closed_facets() const
   {
-    Disjoint_sets parts(m_cells.size());
-    std::map<std::size_t, std::vector<std::size_t> > neighbors; // along borders of closed facets
+    const std::size_t number_of_facets = std::count(m_is_closed.begin(), m_is_closed.end(), true);
+    std::size_t number_of_edges = 0;
+    std::set<std::size_t> vertices;
+    std::map<std::size_t, std::vector<std::size_t> > neighbors; // along the border
     for(const Edge& edge : m_edges)
     {
-      std::vector<std::size_t> closed;
-      std::copy_if(edge.facets.begin(), edge.facets.end(), std::back_inserter(closed),
-                   [this](const std::size_t f) { return m_is_closed[f]; });
-      for(const std::size_t f : closed)
-        parts.unite(f, closed.front());
-      if(edge.is_on_boundary && !closed.empty())
+      const std::size_t number = number_of_closed_facets(edge);
+      if(number == 0)
+        continue;
+      if(number != (edge.is_on_boundary ? 1 : 2))
+        return {};
+      ++number_of_edges;
+      vertices.insert(edge.vertices.begin(), edge.vertices.end());
+      if(edge.is_on_boundary)
         for(const std::size_t i : { 0, 1 })
           neighbors[edge.vertices[i]].push_back(edge.vertices[1 - i]);
     }
-    std::map<std::size_t, std::vector<std::size_t> > facets_of_part;
-    for(std::size_t f = 0; f < m_cells.size(); ++f)
-      if(m_is_closed[f] && !m_is_wall[f])
-        facets_of_part[parts.find(f)].push_back(f);
-    for(const auto& part : facets_of_part)
-      if(const Loop loop = border_of_disc(part.second, neighbors); !loop.empty())
-        add_wall(part.second, loop);
-  }
-
-  // Returns the border of a disc of facets; an empty one if they are no disc, or touch other facets.
-  Loop border_of_disc(const std::vector<std::size_t>& facets,
-                      const std::map<std::size_t, std::vector<std::size_t> >& neighbors) const
-  {
-    std::set<std::size_t> edges, vertices, border;
-    for(const std::size_t f : facets)
-      edges.insert(m_edges_of_facet[f].begin(), m_edges_of_facet[f].end());
-    for(const std::size_t e : edges)
-    {
-      const Edge& edge = m_edges[e];
-      if(number_of_closed_facets(edge) != (edge.is_on_boundary ? 1 : 2))
-        return {};
-      vertices.insert(edge.vertices.begin(), edge.vertices.end());
-      if(edge.is_on_boundary)
-        border.insert(edge.vertices.begin(), edge.vertices.end());
-    }
-    const auto has_two_neighbors = [&](const std::size_t v) { return neighbors.at(v).size() == 2; };
-    const bool is_free = std::all_of(border.begin(), border.end(), has_two_neighbors)
-      && std::none_of(vertices.begin(), vertices.end(), [this](const std::size_t v) { return m_is_used.count(v) > 0; });
-    if(!is_free || border.empty() || vertices.size() + facets.size() != edges.size() + 1)
+    const auto has_two_neighbors = [](const auto& entry) { return entry.second.size() == 2; };
+    if(neighbors.empty() || !std::all_of(neighbors.begin(), neighbors.end(), has_two_neighbors)
+       || vertices.size() + number_of_facets != number_of_edges + 1)
       return {};
-    Loop loop(1, *border.begin());
+    Loop loop(1, neighbors.begin()->first);
     for(std::size_t previous = loop[0], v = previous; ; )
     {
       const std::vector<std::size_t>& around = neighbors.at(v);
@@ -204,30 +171,14 @@ private:
       previous = v;
       v = next;
     }
-    return loop.size() == border.size() ? loop : Loop();
-  }
-
-  void add_wall(const std::vector<std::size_t>& facets, const Loop& loop)
-  {
-    m_loops.push_back(loop);
-    for(const std::size_t f : facets)
-    {
-      m_is_wall[f] = true;
-      for(const std::size_t e : m_edges_of_facet[f])
-      {
-        m_is_on_wall[e] = true;
-        m_is_used.insert(m_edges[e].vertices.begin(), m_edges[e].vertices.end());
-      }
-    }
+    return loop.size() == neighbors.size() ? loop : Loop();
   }
 
   std::vector<std::array<std::size_t, 2> > m_cells; // cells on both sides of a facet
   std::vector<Edge> m_edges;
   std::vector<std::vector<std::size_t> > m_edges_of_facet, m_facets_of_cell;
-  std::vector<int> m_level;      // number of facets between a cell and the first one
-  std::vector<bool> m_is_closed, m_is_wall, m_is_on_wall; // by facet, by facet and by edge
-  std::set<std::size_t> m_is_used;                        // vertices of walls
-  std::vector<Loop> m_loops;
+  std::vector<int> m_level; // number of facets between a cell and the first one
+  std::vector<bool> m_is_closed;
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

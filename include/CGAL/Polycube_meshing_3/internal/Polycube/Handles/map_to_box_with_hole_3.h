@@ -1,0 +1,146 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_MAP_TO_BOX_WITH_HOLE_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_MAP_TO_BOX_WITH_HOLE_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/Box_with_hole_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/Meridians_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Returns the coordinates of the charts of a box with a hole, after some faces have changed their charts; none if charts have
+// been divided, or edges are not along an axis.
+inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts, const std::vector<std::size_t>& charts_of_box,
+                                                 const std::vector<std::size_t>& labels, const std::vector<double>& coordinates)
+{
+  std::vector<double> result(charts.number_of_charts(), (std::numeric_limits<double>::quiet_NaN)());
+  for(std::size_t f = 0; f < charts_of_box.size(); ++f)
+    if(const std::size_t c = charts.chart_of_face()[f]; labels[f] == charts.labels()[c])
+      result[c] = coordinates[charts_of_box[f]];
+  const bool are_whole = result.size() == coordinates.size()
+    && std::all_of(result.begin(), result.end(), [](const double x) { return std::isfinite(x); });
+  const bool have_axes = std::all_of(charts.chains().begin(), charts.chains().end(),
+                                     [](const Polycube_chain_3& chain) { return chain.axis >= 0; });
+  return are_whole && have_axes ? result : std::vector<double>();
+}
+
+// Result of mapping a surface to a box with a hole.
+struct Map_to_box_with_hole_3
+{
+  std::size_t number_of_flipped_faces = (std::numeric_limits<std::size_t>::max)(); // between edges
+  std::vector<Vector_3> images = {};                                               // none if they are not valid
+  double distortion = (std::numeric_limits<double>::infinity)();
+};
+
+// Maps a surface to the box with a hole between lines. Faces without room between the edges are given to neighboring charts.
+inline Map_to_box_with_hole_3 map_to_box_between_lines_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
+                                                         const int turn, const Normal_labels_3& costs, const Budget& budget)
+{
+  constexpr int maximum_number_of_attempts = 10; // a guess
+  const Boundary_mesh_3& mesh = surface.mesh;
+  const double size = surface.box.diagonal().maxCoeff();
+  Map_to_box_with_hole_3 result;
+  Box_with_hole_3 box(mesh, lines);
+  if(!box.run(turn))
+    return result;
+  const std::vector<std::size_t> labels_of_box = box.labels();
+  const std::vector<double> coordinates_of_box = box.coordinates({ -surface.box.center() / size, surface.spacing / size });
+  std::vector<std::size_t> labels = labels_of_box;
+  for(int attempt = 0;
+      attempt < maximum_number_of_attempts && budget.may_begin_round(Phase::BOUNDARY, "labels of a box with a hole"); ++attempt)
+  {
+    if(straighten_chains_3(mesh, Polycube_charts_3(mesh, labels), labels))
+      continue;
+    Polycube_map_3 map(surface, labels);
+    const std::vector<double> coordinates
+      = coordinates_of_charts(map.charts(), box.chart_of_face(), labels_of_box, coordinates_of_box);
+    if(coordinates.empty())
+      return result;
+    const Error_code status = map.start_at(coordinates, budget);
+    result.number_of_flipped_faces = (std::min)(result.number_of_flipped_faces, map.flipped_faces().size());
+    const double distortion = status == OK ? map.distortion() : result.distortion; // before the images get their size
+    if(status == OK && map.finish(budget) == OK)
+    {
+      result.images = map.images();
+      result.distortion = distortion;
+      return result;
+    }
+    if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
+      return result;
+  }
+  return result;
+}
+
+// Maps a surface to a box whose hole is turned as long as fewer faces are flipped: where the surface is narrow, sides of the hole
+// may not face the sides of the box that they have edges with.
+inline Map_to_box_with_hole_3 map_to_turned_box_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
+                                                  const Normal_labels_3& costs, const Budget& budget)
+{
+  int turn = 0;
+  Map_to_box_with_hole_3 best = map_to_box_between_lines_3(surface, lines, turn, costs, budget);
+  for(bool is_better = true; is_better && best.images.empty(); )
+  {
+    is_better = false;
+    for(const int step : { 1, -1, 2, -2, 4, -4, 8, -8, 16, -16 })
+    {
+      Map_to_box_with_hole_3 map = map_to_box_between_lines_3(surface, lines, turn + step, costs, budget);
+      if(map.images.empty() && map.number_of_flipped_faces >= best.number_of_flipped_faces)
+        continue;
+      best = std::move(map);
+      turn += step;
+      is_better = true;
+      break;
+    }
+  }
+  return best;
+}
+
+// Maps the surface of a body with one handle onto that of a box with a hole, if the mesh is fine enough. Among several cuts of the
+// body into a ball, the one of the least distortion is taken. Vertices of cells are numbers of points; `points` has the number of
+// the point of each vertex of the surface.
+inline Surface_map_3 map_to_box_with_hole_3(const Unit_surface_3& surface, const std::vector<std::array<std::size_t, 4> >& cells,
+                                            const std::vector<std::size_t>& points, const Budget& budget)
+{
+  constexpr std::size_t maximum_number_of_cuts = 16, maximum_number_of_maps = 3; // guesses
+  const Boundary_mesh_3& mesh = surface.mesh;
+  std::unordered_map<std::size_t, std::size_t> vertex_of_point;
+  for(std::size_t v = 0; v < points.size(); ++v)
+    vertex_of_point.emplace(points[v], v);
+  const Normal_labels_3 costs(mesh, surface.is_sharp, budget);
+  Meridians_3 meridians(cells);
+  bool has_meridian = false;
+  Map_to_box_with_hole_3 best;
+  for(std::size_t i = 0, number_of_maps = 0; i < maximum_number_of_cuts && number_of_maps < maximum_number_of_maps
+      && budget.may_begin_round(Phase::BOUNDARY, "cuts of a body with a handle"); ++i)
+  {
+    Meridians_3::Loop meridian = meridians.from(i * cells.size() / maximum_number_of_cuts);
+    if(meridian.empty())
+      continue;
+    has_meridian = true;
+    for(std::size_t& v : meridian)
+      v = vertex_of_point.at(v);
+    Lines_of_box_3 lines(mesh, meridian);
+    if(!lines.run(budget))
+      continue;
+    Map_to_box_with_hole_3 map = map_to_turned_box_3(surface, lines, costs, budget);
+    number_of_maps += !map.images.empty();
+    if(map.distortion < best.distortion)
+      best = std::move(map);
+  }
+  return { !best.images.empty() ? OK : has_meridian ? ERROR_BOUNDARY_TOO_COARSE : ERROR_NO_POLYCUBE, best.images };
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_HANDLES_MAP_TO_BOX_WITH_HOLE_3_H
