@@ -573,13 +573,22 @@ double volume_of(const VMP::Tetrahedron_soup_3& soup)
   return result;
 }
 
+// The boundary of a soup in its own units, with its sharp edges.
+PM::internal::Unit_surface_3 surface_mesh_of(const VMP::Tetrahedron_soup_3& soup)
+{
+  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
+  PM::internal::Unit_surface_3 result;
+  REQUIRE(VMP::internal::build_boundary_mesh_3(surface, result.mesh) == VMP::OK);
+  result.is_sharp = VMP::internal::are_among(result.mesh, surface.sharp_edges);
+  return result;
+}
+
 // Voxels of the solid bricks, two voxels along each side of a brick.
 template <typename IsSolid>
 PM::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
 {
   const VMP::Tetrahedron_soup_3 soup = bricks(size, is_solid, in_place);
-  const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(VMP::internal::body_of(soup));
-  return PM::internal::voxels_of_surface_3(surface.points, surface.facets, 0.5, {0, 0, 0}, 0.5);
+  return PM::internal::voxels_of_surface_3(surface_mesh_of(soup).mesh, 0.5, {0, 0, 0}, 0.5);
 }
 
 } // namespace
@@ -707,9 +716,14 @@ TEST_CASE("voxels that touch along an edge or at a corner are joined or parted")
 {
   using namespace PM::internal;
   const int z = GENERATE(0, 1); // of the second brick
-  const auto are_two = [&](const int x, const int y, const int k)
-  { return (x == 0 && y == 0 && k == 0) || (x == 1 && y == 1 && k == z); };
-  Voxels_3 voxels = voxels_of({2, 2, 2}, are_two);
+  Voxels_3 voxels = voxels_of({2, 2, 2}, is_box);
+  for(std::size_t i = 0; i < voxels.parts.size(); ++i)
+  {
+    const Eigen::Vector3i brick = (voxels.voxel(i).array() - 3) / 2; // behind three free layers
+    voxels.is_inside[i] = voxels.is_inside[i] && (brick == Eigen::Vector3i(0, 0, 0) || brick == Eigen::Vector3i(1, 1, z));
+    voxels.parts[i] = voxels.is_inside[i];
+  }
+  REQUIRE(std::count(voxels.is_inside.begin(), voxels.is_inside.end(), true) == 2 * 8);
   CHECK(!characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size));
   CHECK(make_manifold(voxels, 0.5));
   CHECK(characteristic_of_voxels_3(voxels, {0, 0, 0}, voxels.size).value_or(0) > 0);
@@ -741,84 +755,90 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
 TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")
 {
   using namespace PM::internal;
-  Split_surface_3 square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  const auto length = [](const PM::internal::Vector_3& p) { return p.x() < 0.4 ? 0.05 : 10.; };
-  square.split_long_edges(length);
-  CHECK(square.facets.size() < 1200); // more with short edges everywhere
+  Unit_surface_3 cube = surface_mesh_of(bricks({1, 1, 1}, is_box, in_place));
+  const Boundary_mesh_3 before = cube.mesh;
+  const auto length = [](const PM::internal::Vector_3& p) { return p.x() < 0.2 ? 0.1 : 10.; };
+  split_long_edges_3(length, cube);
+  CHECK(cube.mesh.number_of_faces() < 3000); // more with short edges everywhere
+  CHECK(CGAL::is_closed(cube.mesh));
   double area = 0;
-  for(const auto& facet : square.facets)
-    for(std::size_t i = 0; i < 3; ++i)
-    {
-      const PM::internal::Vector_3 &p = square.points[facet[i]], &q = square.points[facet[(i + 1) % 3]],
-                                    &r = square.points[facet[(i + 2) % 3]];
-      CHECK((q - p).norm() <= length((p + q) / 2));
-      CHECK((q - p).normalized().dot((r - p).normalized()) < std::cos(0.4)); // half of a right angle by bisection, and less
-      area += (q - p).cross(r - p).z() / 6;
-    }
-  CHECK(area == Approx(1));
+  for(const auto h : cube.mesh.halfedges())
+  {
+    const auto [p, q, r] = std::array<PM::internal::Vector_3, 3>{ to_vector(cube.mesh.point(cube.mesh.source(h))),
+      to_vector(cube.mesh.point(cube.mesh.target(h))), to_vector(cube.mesh.point(cube.mesh.target(cube.mesh.next(h)))) };
+    CHECK((q - p).norm() <= length((p + q) / 2));
+    CHECK((q - p).normalized().dot((r - p).normalized()) < std::cos(0.4)); // half of a right angle by bisection, and less
+    area += (q - p).cross(r - p).norm() / 6;
+  }
+  CHECK(area == Approx(6));
+
+  // the splits make the same points, one after the other
+  REQUIRE(before.number_of_vertices() + cube.splits.size() == cube.mesh.number_of_vertices());
+  std::vector<PM::internal::Vector_3> points = points_of(before);
+  for(const auto& [v, w] : cube.splits)
+    points.push_back((points[v] + points[w]) / 2);
+  CHECK(points == points_of(cube.mesh));
 }
 
 TEST_CASE("sharp edges stay sharp while a surface is split, and are free borders of charts")
 {
   using namespace PM::internal;
-  const VMP::Tetrahedron_soup_3 box = bricks({3, 2, 2}, is_box, in_place);
-  const Numbered_surface_3 surface = surface_of(body_of(box));
-  Split_surface_3 split = {surface.points, surface.facets};
-  for(const auto& [v, w] : surface.sharp_edges) // 28 on the edges of the box
-    split.sharp_edges.insert((std::minmax)(v, w));
-  split.split_edges_longer_than(0.3);
+  Unit_surface_3 split = surface_mesh_of(bricks({3, 2, 2}, is_box, in_place)); // 28 sharp edges of the box
+  const auto parents = split_edges_3({split.mesh.edges().begin(), split.mesh.edges().end()}, split);
+  REQUIRE(parents.size() == split.mesh.number_of_faces());
+  const std::size_t number_of_parents = parents.size() / 4;
+  for(std::size_t f = 0; f < number_of_parents; ++f)
+    CHECK(std::count(parents.begin(), parents.end(), f) == 4);
+  split_long_edges_3([](const PM::internal::Vector_3&) { return 0.3; }, split);
+  REQUIRE(split.is_sharp.size() == split.mesh.number_of_edges());
   double length = 0;
-  for(const auto& e : split.sharp_edges)
-    length += split.length(e);
+  for(const auto e : split.mesh.edges())
+    length += split.is_sharp[e] * edge_vector(split.mesh, split.mesh.halfedge(e)).norm();
   CHECK(length == Approx(28));
-  CHECK(split.sharp_edges.size() == 4 * 28);
+  CHECK(std::count(split.is_sharp.begin(), split.is_sharp.end(), true) == 4 * 28);
 
-  Boundary_mesh_3 mesh;
-  REQUIRE(build_boundary_mesh_3(split, mesh) == VMP::OK);
-  const Label_functional_3 functional(mesh, are_among(mesh, split.sharp_edges));
-  const Label_functional_3 blunt(mesh, std::vector<bool>(mesh.number_of_edges(), false));
-  for(const auto e : mesh.edges())
+  const Label_functional_3 functional(split.mesh, split.is_sharp);
+  const Label_functional_3 blunt(split.mesh, std::vector<bool>(split.mesh.number_of_edges(), false));
+  for(const auto e : split.mesh.edges())
   {
-    const auto h = mesh.halfedge(e);
-    const bool is_sharp = split.sharp_edges.count((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))) > 0;
-    CHECK((functional.length(h) == 0) == is_sharp);
+    const auto h = split.mesh.halfedge(e);
+    CHECK((functional.length(h) == 0) == split.is_sharp[e]);
     CHECK(blunt.length(h) == functional.length(h)); // by the angle
   }
   // marked edges count, whatever the angle is
-  const auto h = *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(),
+  const auto h = *std::find_if(split.mesh.halfedges().begin(), split.mesh.halfedges().end(),
                                [&](const auto h) { return functional.length(h) > 0; });
-  const std::set<Split_surface_3::Edge> marked
-    = {(std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h)))};
-  CHECK(Label_functional_3(mesh, are_among(mesh, marked)).length(h) == 0);
+  std::vector<bool> marked(split.mesh.number_of_edges(), false);
+  marked[split.mesh.edge(h)] = true;
+  CHECK(Label_functional_3(split.mesh, marked).length(h) == 0);
 }
 
 TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
 {
   using namespace PM::internal;
-  const VMP::Tetrahedron_soup_3 ring = bricks(size, is_ring, bend);
-  const Numbered_surface_3 surface = surface_of(body_of(ring));
-  Boundary_mesh_3 mesh;
-  REQUIRE(build_boundary_mesh_3(surface, mesh) == VMP::OK);
-  const auto points = unit_points(mesh);
-  Voxels_3 voxels = voxels_of_surface_3(points, surface.facets, 0.1, {0, 0, 0}, 0.5);
+  Unit_surface_3 given = surface_mesh_of(bricks(size, is_ring, bend));
+  set_points(given.mesh, unit_points(given.mesh));
+  Voxels_3 voxels = voxels_of_surface_3(given.mesh, 0.1, {0, 0, 0}, 0.5);
   REQUIRE(make_surface_of_characteristic(voxels, 0.5, 0));
-  const Split_surface_3 given = {points, surface.facets};
-  Split_surface_3 fine = given;
-  fine.split_edges_longer_than(0.05);
+  Unit_surface_3 fine = given;
+  split_long_edges_3([](const PM::internal::Vector_3&) { return 0.05; }, fine);
   const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
   CHECK(polycube.label_of_chart.size() >= 10); // of a ring along the axes
   CHECK(polycube.label_of_chart.size() <= 12);
   const double length = GENERATE(0.05, 0.2); // the longer one is halved where borders are blocked
-  const Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
-  REQUIRE(drawn.chart_of_facet.size() == drawn.surface.facets.size());
-  Boundary_mesh_3 refined;
-  REQUIRE(build_boundary_mesh_3(drawn.surface, refined) == VMP::OK);
-  std::vector<std::size_t> labels;
-  for(const std::size_t c : drawn.chart_of_facet)
-    labels.push_back(polycube.label_of_chart[c]);
-  const Polycube_charts_3 charts(refined, labels);
-  CHECK(charts.number_of_charts() == polycube.label_of_chart.size());
-  CHECK(charts.number_of_defects() == 0);
+  Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
+  REQUIRE(drawn.chart_of_facet.size() == drawn.surface.mesh.number_of_faces());
+  for(const bool has_splits : {false, true})
+  {
+    if(has_splits)
+      split_between_borders(drawn);
+    std::vector<std::size_t> labels;
+    for(const std::size_t c : drawn.chart_of_facet)
+      labels.push_back(polycube.label_of_chart[c]);
+    const Polycube_charts_3 charts(drawn.surface.mesh, labels);
+    CHECK(charts.number_of_charts() == polycube.label_of_chart.size());
+    CHECK(charts.number_of_defects() == 0);
+  }
 }
 
 TEST_CASE("coordinates are the closest ones to means that keep their order and a gap")

@@ -274,9 +274,10 @@ private:
 inline Surface_map_3 finished_map_3(Polycube_map_3& map, const Budget& budget)
 {
   if(std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget); other && other->finish(budget) == OK)
-    return { OK, other->images() };
-  const Error_code status = map.finish(budget);
-  return { status, map.images() };
+    return { OK, other->images(), other->distortion() };
+  if(const Error_code status = map.finish(budget); status != OK)
+    return { status };
+  return { OK, map.images(), map.distortion() };
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

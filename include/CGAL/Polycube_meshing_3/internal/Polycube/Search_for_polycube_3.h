@@ -45,8 +45,7 @@ public:
     Polycube best = proposed(costs);
     if(best.map.status == OK && costs.decide_ties(best.labels))
       if(Polycube other = proposed(costs);
-         other.map.status == OK && distortion_3(m_mesh, other.map.images) < distortion_3(m_mesh, best.map.images)
-         && length_given_up(other) <= length_given_up(best))
+         other.map.distortion < best.map.distortion && length_given_up(other) <= length_given_up(best))
         best = std::move(other);
     if(best.map.status == OK || m_surface.spacing > 0) // hexahedra are worth a search where no labels have a polycube
       turn_slopes(costs, best);
@@ -111,26 +110,19 @@ private:
     constexpr double bad_distortion = 0.5; // a guess; parts of CAD have less
     constexpr int patience = 4;            // a guess
     int in_vain = 0;
-    double least = distortion(best);
     for(const Normal_labels_3::Slope& slope : costs.slopes())
     {
-      if(!(least > bad_distortion) || in_vain++ == patience)
+      if(!(best.map.distortion > bad_distortion) || in_vain++ == patience)
         return;
       Normal_labels_3 turned = costs;
       turned.turn(slope);
       Polycube other = proposed(turned);
-      if(!(distortion(other) < least))
+      if(!(other.map.distortion < best.map.distortion))
         continue;
-      least = distortion(other);
       best = std::move(other);
       costs.turn(slope);
       in_vain = 0;
     }
-  }
-
-  double distortion(const Polycube& polycube) const
-  {
-    return polycube.map.status == OK ? distortion_3(m_mesh, polycube.map.images) : (std::numeric_limits<double>::infinity)();
   }
 
   // Returns the length of the sharp edges whose images lead along no axis.

@@ -36,6 +36,7 @@ struct Unit_surface_3
   Box_3 box;    // of the surface before it was scaled, which gives the size of the polycube
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
+  std::vector<std::array<std::size_t, 2> > splits = {}; // edges that were split one after the other, for a last vertex each
 };
 
 inline int number_of_handles(const Boundary_mesh_3& mesh)
@@ -91,11 +92,14 @@ inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Vector
   return std::isfinite(mean) ? std::sqrt((std::max)(0., mean)) : (std::numeric_limits<double>::infinity)();
 }
 
-// Map of a surface: the images of its vertices if the status is OK.
+// Map of a surface: if the status is OK, the images of its vertices, their distortion, if others are compared with it, and the
+// edges that were split for the map one after the other, each at its midpoint.
 struct Surface_map_3
 {
   Error_code status = ERROR_NO_POLYCUBE;
   std::vector<Vector_3> images = {};
+  double distortion = (std::numeric_limits<double>::infinity)();
+  std::vector<std::array<std::size_t, 2> > splits = {};
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

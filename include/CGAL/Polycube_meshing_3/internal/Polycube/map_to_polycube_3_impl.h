@@ -116,18 +116,16 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
 
 // Adds a polycube of voxels, for which edges are split, to a bad polycube or none. It must be far less distorted, as it needs far
 // more facets.
-inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Found_polycube_3 found, const bool may_split,
+inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Surface_map_3 map, const bool may_split,
                                       const Budget& budget)
 {
   constexpr double enough = 0.75, usual = 0.6; // a guess, and about the least distortion of voxels that was seen on such bodies
-  const double maximum_distortion = found.status == OK ? enough * distortion_3(turned.mesh, found.images)
-                                                       : (std::numeric_limits<double>::infinity)();
-  if(!may_split || maximum_distortion < usual)
-    return found;
-  Map_to_voxels_3 map = map_to_voxels_3(turned, budget);
-  if(map.images.empty() || map.distortion > maximum_distortion)
-    return found;
-  return { OK, turned.rotation, std::move(found.images), std::move(map.splits), std::move(map.images) };
+  Surface_map_3 of_voxels;
+  if(may_split && enough * map.distortion >= usual)
+    of_voxels = map_to_voxels_3(turned, budget);
+  if(of_voxels.status != OK || of_voxels.distortion > enough * map.distortion)
+    return { map.status, turned.rotation, std::move(map.images) };
+  return { OK, turned.rotation, std::move(map.images), std::move(of_voxels.splits), std::move(of_voxels.images) };
 }
 
 // Maps a surface with handles for which no labels of a polycube are found. Several handles need voxels, and splits: boxes with
@@ -137,7 +135,7 @@ inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, c
   Surface_map_3 box = { ERROR_BOUNDARY_TOO_COARSE };
   if(number_of_handles(turned.mesh) == 1)
     box = map_to_box_with_hole_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
-  return with_voxels_3(turned, { box.status, turned.rotation, std::move(box.images) }, may_split, budget);
+  return with_voxels_3(turned, std::move(box), may_split, budget);
 }
 
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
@@ -198,23 +196,17 @@ inline Found_polycube_3 map_to_labelled_polycube_3(const Turned_surface_3& turne
 inline Found_polycube_3 map_in_frames_3(const std::vector<Turned_surface_3>& frames, const bool may_split, const Budget& budget)
 {
   const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
-  double least_distortion = (std::numeric_limits<double>::infinity)();
-  Found_polycube_3 best;
+  Surface_map_3 best;
   const Turned_surface_3* frame = &frames.front();
   for(const Turned_surface_3& turned : frames)
-  {
-    Surface_map_3 map = Search_for_polycube_3(turned, factor, budget).run();
-    if(map.status != OK)
-      continue;
-    const double distortion = distortion_3(turned.mesh, map.images);
-    if(best.status == OK && !(distortion < least_distortion))
-      continue;
-    least_distortion = distortion;
-    best = { OK, turned.rotation, std::move(map.images) };
-    frame = &turned;
-  }
+    if(Surface_map_3 map = Search_for_polycube_3(turned, factor, budget).run();
+       map.status == OK && (best.status != OK || map.distortion < best.distortion))
+    {
+      best = std::move(map);
+      frame = &turned;
+    }
   if(budget.is_exhausted())
-    return best;
+    return { best.status, frame->rotation, std::move(best.images) };
   return best.status == OK ? with_voxels_3(*frame, std::move(best), may_split, budget)
                            : map_to_any_box_3(*frame, may_split, budget);
 }

@@ -39,8 +39,7 @@ inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts
 struct Map_to_box_with_hole_3
 {
   std::size_t number_of_flipped_faces = (std::numeric_limits<std::size_t>::max)(); // between edges
-  std::vector<Vector_3> images = {};                                               // none if they are not valid
-  double distortion = (std::numeric_limits<double>::infinity)();
+  Surface_map_3 map = { ERROR_BOUNDARY_TOO_COARSE };
 };
 
 // Maps a surface to the box with a hole between lines. Faces without room between the edges are given to neighboring charts.
@@ -69,11 +68,10 @@ inline Map_to_box_with_hole_3 map_to_box_between_lines_3(const Unit_surface_3& s
       return result;
     const Error_code status = map.start_at(coordinates, budget);
     result.number_of_flipped_faces = (std::min)(result.number_of_flipped_faces, map.flipped_faces().size());
-    const double distortion = status == OK ? map.distortion() : result.distortion; // before the images get their size
+    const double distortion = map.distortion(); // of the harmonic map, by which cuts are compared
     if(status == OK && map.finish(budget) == OK)
     {
-      result.images = map.images();
-      result.distortion = distortion;
+      result.map = { OK, map.images(), distortion };
       return result;
     }
     if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
@@ -84,26 +82,26 @@ inline Map_to_box_with_hole_3 map_to_box_between_lines_3(const Unit_surface_3& s
 
 // Maps a surface to a box whose hole is turned as long as fewer faces are flipped: where the surface is narrow, sides of the hole
 // may not face the sides of the box that they have edges with.
-inline Map_to_box_with_hole_3 map_to_turned_box_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
-                                                  const Normal_labels_3& costs, const Budget& budget)
+inline Surface_map_3 map_to_turned_box_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
+                                         const Normal_labels_3& costs, const Budget& budget)
 {
   int turn = 0;
   Map_to_box_with_hole_3 best = map_to_box_between_lines_3(surface, lines, turn, costs, budget);
-  for(bool is_better = true; is_better && best.images.empty(); )
+  for(bool is_better = true; is_better && best.map.status != OK; )
   {
     is_better = false;
     for(const int step : { 1, -1, 2, -2, 4, -4, 8, -8, 16, -16 })
     {
-      Map_to_box_with_hole_3 map = map_to_box_between_lines_3(surface, lines, turn + step, costs, budget);
-      if(map.images.empty() && map.number_of_flipped_faces >= best.number_of_flipped_faces)
+      Map_to_box_with_hole_3 other = map_to_box_between_lines_3(surface, lines, turn + step, costs, budget);
+      if(other.map.status != OK && other.number_of_flipped_faces >= best.number_of_flipped_faces)
         continue;
-      best = std::move(map);
+      best = std::move(other);
       turn += step;
       is_better = true;
       break;
     }
   }
-  return best;
+  return best.map;
 }
 
 // Maps the surface of a body with one handle onto that of a box with a hole, if the mesh is fine enough. Among several cuts of the
@@ -119,26 +117,26 @@ inline Surface_map_3 map_to_box_with_hole_3(const Unit_surface_3& surface, const
     vertex_of_point.emplace(points[v], v);
   const Normal_labels_3 costs(mesh, surface.is_sharp, budget);
   Meridians_3 meridians(cells);
-  bool has_meridian = false;
-  Map_to_box_with_hole_3 best;
+  Surface_map_3 best;
   for(std::size_t i = 0, number_of_maps = 0; i < maximum_number_of_cuts && number_of_maps < maximum_number_of_maps
       && budget.may_begin_round(Phase::BOUNDARY, "cuts of a body with a handle"); ++i)
   {
     Meridians_3::Loop meridian = meridians.from(i * cells.size() / maximum_number_of_cuts);
     if(meridian.empty())
       continue;
-    has_meridian = true;
     for(std::size_t& v : meridian)
       v = vertex_of_point.at(v);
     Lines_of_box_3 lines(mesh, meridian);
-    if(!lines.run(budget))
-      continue;
-    Map_to_box_with_hole_3 map = map_to_turned_box_3(surface, lines, costs, budget);
-    number_of_maps += !map.images.empty();
-    if(map.distortion < best.distortion)
+    Surface_map_3 map = { ERROR_BOUNDARY_TOO_COARSE };
+    if(lines.run(budget))
+      map = map_to_turned_box_3(surface, lines, costs, budget);
+    number_of_maps += map.status == OK;
+    if(best.status != OK || map.distortion < best.distortion)
       best = std::move(map);
   }
-  return { !best.images.empty() ? OK : has_meridian ? ERROR_BOUNDARY_TOO_COARSE : ERROR_NO_POLYCUBE, best.images };
+  if(best.status == OK)
+    best.distortion = distortion_3(mesh, best.images);
+  return best;
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/split_edges_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
@@ -131,24 +131,24 @@ inline std::vector<std::size_t> vertices_around(const Boundary_mesh_3& mesh, con
 }
 
 // Returns the sums of the normals of facets around the vertices, weighted by area.
-inline std::vector<Vector_3> normals_of_vertices(const Split_surface_3& surface)
+inline std::vector<Vector_3> normals_of_vertices(const Boundary_mesh_3& mesh)
 {
-  std::vector<Vector_3> result(surface.points.size(), Vector_3::Zero());
-  const Facets_3 facets(surface);
-  for(std::size_t f = 0; f < surface.facets.size(); ++f)
-    for(const std::size_t v : surface.facets[f])
+  std::vector<Vector_3> result(mesh.number_of_vertices(), Vector_3::Zero());
+  const Facets_3 facets(mesh);
+  for(const auto f : mesh.faces())
+    for(const auto v : vertices_of_face(mesh, f))
       result[v] += facets.areas[f] * facets.normals[f];
   return result;
 }
 
 // Returns a vertex for each corner of the chains: the nearest one with enough edges, and with two edges at least to any other.
 // None if there is no such vertex.
-inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surface, const Voxel_faces_3& faces,
+inline std::vector<std::size_t> vertices_of_corners(const Boundary_mesh_3& mesh, const Voxel_faces_3& faces,
                                                     const Chains_of_voxel_charts_3& chains)
 {
-  const Boundary_mesh_3 mesh = surface.mesh();
-  const std::vector<Vector_3> normals = normals_of_vertices(surface), normals_of_faces = faces.normals_of_points();
-  std::vector<bool> is_used(surface.points.size(), false);
+  const std::vector<Vector_3> points = points_of(mesh), normals = normals_of_vertices(mesh),
+                              normals_of_faces = faces.normals_of_points();
+  std::vector<bool> is_used(points.size(), false);
   std::vector<std::size_t> result;
   for(const std::size_t corner : chains.corners())
   {
@@ -156,7 +156,7 @@ inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surfa
     std::size_t best = 0;
     for(const auto v : mesh.vertices())
     {
-      const double distance = (surface.points[v] - faces.points[corner]).squaredNorm();
+      const double distance = (points[v] - faces.points[corner]).squaredNorm();
       if(distance >= least || is_used[v] || normals[v].dot(normals_of_faces[corner]) < 0
          || mesh.degree(v) < chains.ends(corner).size())
         continue;
@@ -177,15 +177,14 @@ inline std::vector<std::size_t> vertices_of_corners(const Split_surface_3& surfa
 }
 
 // Splits all edges of the facets at some vertices.
-inline void split_around(const std::vector<std::size_t>& vertices, Split_surface_3& surface)
+inline void split_around(const std::vector<std::size_t>& vertices, Unit_surface_3& surface)
 {
-  const std::set<std::size_t> at(vertices.begin(), vertices.end());
-  std::set<Split_surface_3::Edge> edges;
-  for(const std::array<std::size_t, 3>& facet : surface.facets)
-    if(std::any_of(facet.begin(), facet.end(), [&](const std::size_t v) { return at.count(v) > 0; }))
-      for(std::size_t i = 0; i < 3; ++i)
-        edges.insert(Split_surface_3::edge(facet, i));
-  surface.split(edges);
+  const Boundary_mesh_3& mesh = surface.mesh;
+  std::set<Boundary_mesh_3::Edge_index> edges;
+  for(const std::size_t v : vertices)
+    for(const auto h : CGAL::halfedges_around_source(vertex_index(v), mesh))
+      edges.insert({ mesh.edge(h), mesh.edge(mesh.next(h)) });
+  split_edges_3({ edges.begin(), edges.end() }, surface);
 }
 
 // Chooses for each row of costs a column, in an order that is cyclic for both, such that the sum is least. Nothing if there are
@@ -223,12 +222,11 @@ inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<
 
 // Returns for each corner the vertices next to it at which its chains leave, in their order, in directions close to theirs.
 // None if there are too few vertices.
-inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Split_surface_3& surface, const Boundary_mesh_3& mesh,
-                                                                      const Voxel_faces_3& faces,
+inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Boundary_mesh_3& mesh, const Voxel_faces_3& faces,
                                                                       const Chains_of_voxel_charts_3& chains,
                                                                       const std::vector<std::size_t>& vertices)
 {
-  const std::vector<Vector_3> normals = normals_of_vertices(surface);
+  const std::vector<Vector_3> points = points_of(mesh), normals = normals_of_vertices(mesh);
   std::vector<std::vector<std::size_t> > result;
   for(std::size_t i = 0; i < vertices.size(); ++i)
   {
@@ -241,8 +239,7 @@ inline std::vector<std::vector<std::size_t> > vertices_beside_corners(const Spli
     {
       costs.emplace_back();
       for(const std::size_t w : around)
-        costs.back().push_back(1 - direction(faces.points[end] - faces.points[corner])
-                                     .dot(direction(surface.points[w] - surface.points[v])));
+        costs.back().push_back(1 - direction(faces.points[end] - faces.points[corner]).dot(direction(points[w] - points[v])));
     }
     result.emplace_back();
     for(const std::size_t k : cyclic_assignment(costs))

@@ -93,11 +93,13 @@ inline std::vector<std::size_t> charts_around(const Boundary_mesh_3& mesh, const
 
 // Gives facets to neighboring charts as long as that lowers the cost of the labels and the length of borders, and keeps the
 // topology of the charts: around the facet, its chart and the other one, and perhaps a third one, have one run of facets each.
-inline void relax_charts_3(const Boundary_mesh_3& mesh, const Label_functional_3& functional,
-                           const std::vector<std::size_t>& label_of_chart, std::vector<std::size_t>& chart_of_facet)
+inline void relax_charts_3(const Unit_surface_3& surface, const std::vector<std::size_t>& label_of_chart,
+                           std::vector<std::size_t>& chart_of_facet)
 {
   constexpr double smoothing = 0.02;             // in units of the body, as for moves of charts
   constexpr int maximum_number_of_rounds = 200;  // a guess
+  const Boundary_mesh_3& mesh = surface.mesh;
+  const Label_functional_3 functional(mesh, surface.is_sharp);
   std::vector<std::size_t> sizes(label_of_chart.size(), 0);
   for(const std::size_t c : chart_of_facet)
     ++sizes[c];
@@ -154,24 +156,22 @@ struct Polycube_of_voxels_3
 // Surface with the charts of a polycube.
 struct Drawn_polycube_3
 {
-  Split_surface_3 surface;
-  Boundary_mesh_3 mesh = {};                    // of the surface
+  Unit_surface_3 surface;
   std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
 };
 
 // Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
-inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Split_surface_3& surface, const double length,
+inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface, const double length,
                                         const Budget& budget)
 {
   Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
   for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
   {
     Drawn_polycube_3 result = { surface };
-    result.surface.split_long_edges(lengths);
+    split_long_edges_3(lengths, result.surface);
     Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
                            polycube.size_of_voxels);
     result.chart_of_facet = charts.run(budget);
-    result.mesh = charts.mesh();
     if(!result.chart_of_facet.empty())
       return result;
     has_changed = lengths.halve(charts.blocked_points());
@@ -182,22 +182,21 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
 // Splits edges that lead through the inside of a chart from one vertex of its border to another.
 inline void split_between_borders(Drawn_polycube_3& drawn)
 {
-  const Boundary_mesh_3& mesh = drawn.mesh;
-  std::vector<bool> is_on_border(drawn.surface.points.size(), false);
+  const Boundary_mesh_3& mesh = drawn.surface.mesh;
+  std::vector<bool> is_on_border(mesh.number_of_vertices(), false);
   const auto is_border = [&](const auto h)
   { return drawn.chart_of_facet[mesh.face(h)] != drawn.chart_of_facet[mesh.face(mesh.opposite(h))]; };
   for(const auto h : mesh.halfedges())
     if(is_border(h))
       is_on_border[mesh.target(h)] = true;
-  std::set<Split_surface_3::Edge> edges;
-  for(const auto h : mesh.halfedges())
-    if(!is_border(h) && is_on_border[mesh.source(h)] && is_on_border[mesh.target(h)])
-      edges.insert((std::minmax)(std::size_t(mesh.source(h)), std::size_t(mesh.target(h))));
+  std::vector<Boundary_mesh_3::Edge_index> edges;
+  for(const auto e : mesh.edges())
+    if(const auto h = mesh.halfedge(e); !is_border(h) && is_on_border[mesh.source(h)] && is_on_border[mesh.target(h)])
+      edges.push_back(e);
   std::vector<std::size_t> charts;
-  for(const std::size_t parent : drawn.surface.split(edges))
+  for(const std::size_t parent : split_edges_3(std::move(edges), drawn.surface))
     charts.push_back(drawn.chart_of_facet[parent]);
-  drawn.chart_of_facet = charts;
-  drawn.mesh = drawn.surface.mesh();
+  drawn.chart_of_facet = std::move(charts);
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -27,10 +27,10 @@ class Routed_charts_3
 {
 public:
   // Takes the faces of voxels on the surface, their charts, and the size of voxels. Facets at corners are split.
-  Routed_charts_3(Split_surface_3& surface, const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face,
+  Routed_charts_3(Unit_surface_3& surface, const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face,
                   const std::size_t number_of_charts, const double spacing)
-    : m_surface(surface), m_faces(faces), m_chains(faces, chart_of_face), m_number_of_charts(number_of_charts),
-      m_spacing(spacing), m_paths(m_chains.chains().size())
+    : m_surface(surface), m_mesh(surface.mesh), m_faces(faces), m_chains(faces, chart_of_face),
+      m_number_of_charts(number_of_charts), m_spacing(spacing), m_paths(m_chains.chains().size())
   {}
 
   // Returns the chart of each facet; none if a path is blocked.
@@ -38,13 +38,12 @@ public:
   {
     constexpr int layers_around_corners = 2; // give room to the paths that leave them
     constexpr int maximum_number_of_attempts = 40; // a guess
-    m_corners = vertices_of_corners(m_surface, m_faces, m_chains);
+    m_corners = vertices_of_corners(m_mesh, m_faces, m_chains);
     if(m_corners.empty())
       return {};
     for(int i = 0; i < layers_around_corners; ++i)
       split_around(m_corners, m_surface);
-    m_mesh = m_surface.mesh();
-    m_beside = vertices_beside_corners(m_surface, m_mesh, m_faces, m_chains, m_corners);
+    m_beside = vertices_beside_corners(m_mesh, m_faces, m_chains, m_corners);
     if(m_beside.empty())
       return {};
     for(std::size_t i = 0; i < m_corners.size(); ++i)
@@ -66,9 +65,6 @@ public:
     return {};
   }
 
-  // Returns the mesh of the surface as it is after facets have been split.
-  const Boundary_mesh_3& mesh() const { return m_mesh; }
-
   // Returns the points of the faces on the chains whose paths were blocked.
   const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }
 
@@ -78,7 +74,7 @@ private:
   // Routes the chains one after the other. Returns the first one that is blocked.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
   {
-    m_is_used.assign(m_surface.points.size(), false);
+    m_is_used.assign(m_mesh.number_of_vertices(), false);
     for(std::size_t i = 0; i < m_corners.size(); ++i)
     {
       m_is_used[m_corners[i]] = true;
@@ -126,9 +122,9 @@ private:
     {
       for(const auto h : CGAL::halfedges_around_source(vertex_index(v), m_mesh))
         if(const std::size_t w = m_mesh.target(h); !m_is_used[w] || w == to)
-          reach(w, (m_surface.points[w] - m_surface.points[v]).norm() * factor(m_surface.points[w], chain));
+          reach(w, edge_vector(m_mesh, h).norm() * factor(to_vector(m_mesh.point(m_mesh.target(h))), chain));
     };
-    return Shortest_paths(m_surface.points.size(), std::array<std::size_t, 1>{ from }, for_each_edge,
+    return Shortest_paths(m_mesh.number_of_vertices(), std::array<std::size_t, 1>{ from }, for_each_edge,
                           [&](const std::size_t v) { return v == to; }).path_to(to);
   }
 
@@ -143,7 +139,7 @@ private:
         chart_of_halfedge[h] = m_chains.chains()[i].left;
         chart_of_halfedge[m_mesh.opposite(h)] = m_chains.chains()[i].right;
       }
-    Disjoint_sets sets(m_surface.facets.size());
+    Disjoint_sets sets(m_mesh.number_of_faces());
     for(const auto h : m_mesh.halfedges())
       if(chart_of_halfedge[h] == none)
         sets.unite(m_mesh.face(h), m_mesh.face(m_mesh.opposite(h)));
@@ -156,15 +152,16 @@ private:
           return {};
       }
     std::vector<std::size_t> result;
-    for(std::size_t f = 0; f < m_surface.facets.size(); ++f)
+    for(std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
       if(const auto it = chart_of_part.find(sets.find(f)); it != chart_of_part.end())
         result.push_back(it->second);
-    if(result.size() != m_surface.facets.size() || part_of_chart.size() != m_number_of_charts)
+    if(result.size() != m_mesh.number_of_faces() || part_of_chart.size() != m_number_of_charts)
       return {};
     return result;
   }
 
-  Split_surface_3& m_surface;
+  Unit_surface_3& m_surface;
+  const Boundary_mesh_3& m_mesh; // of the surface
   const Voxel_faces_3& m_faces;
   const Chains_of_voxel_charts_3 m_chains;
   const std::size_t m_number_of_charts;
@@ -175,7 +172,6 @@ private:
   std::unordered_map<std::size_t, std::size_t> m_number_of_corner;
   std::vector<bool> m_is_used;
   std::set<std::size_t> m_blocked_points;
-  Boundary_mesh_3 m_mesh;
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -126,11 +126,11 @@ private:
 };
 
 // Returns the voxels of which more than a part is inside of a closed surface. The grid is shifted by parts of a voxel.
-template <typename Facets>
-Voxels_3 voxels_of_surface_3(const std::vector<Vector_3>& points, const Facets& facets, const double spacing,
-                             const Vector_3& shift, const double least_part)
+inline Voxels_3 voxels_of_surface_3(const Boundary_mesh_3& mesh, const double spacing, const Vector_3& shift,
+                                    const double least_part)
 {
   constexpr int free_layers = 3; // on each side: charts may move outward, and voxels may be added where the body is pinched
+  const std::vector<Vector_3> points = points_of(mesh);
   const Box_3 box = bounding_box(points);
   Voxels_3 voxels;
   voxels.spacing = spacing;
@@ -139,8 +139,11 @@ Voxels_3 voxels_of_surface_3(const std::vector<Vector_3>& points, const Facets& 
   voxels.origin = box.center() - spacing / 2 * voxels.size.cast<double>() + spacing * shift;
   voxels.parts.assign(static_cast<std::size_t>(voxels.size.prod()), 0);
   Columns_of_voxels_3 columns(voxels);
-  for(const auto& [a, b, c] : facets)
+  for(const auto f : mesh.faces())
+  {
+    const auto [a, b, c] = vertices_of_face(mesh, f);
     columns.add_crossings({ points[a], points[b], points[c] });
+  }
   columns.add_to(voxels);
   for(const double part : voxels.parts)
     voxels.is_inside.push_back(part > least_part);

@@ -17,7 +17,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Drawn_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Split_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/split_edges_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_simplification_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
@@ -67,26 +67,17 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
   return result;
 }
 
-// Map of a surface to a polycube of voxels, with the edges that are split for it one after the other, each at its midpoint.
-struct Map_to_voxels_3
-{
-  std::vector<std::array<std::size_t, 2> > splits;
-  std::vector<Vector_3> images; // also of the midpoints; none if there is no map
-  double distortion = (std::numeric_limits<double>::infinity)(); // mean over the area
-};
-
 // Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
 // leave more charts; if corners of the polycube are not those of its charts then, which no map has, all moves keep them.
-inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Split_surface_3& surface, const Budget& budget)
+inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Unit_surface_3& surface, const Budget& budget)
 {
   Voxels_3 voxels = given;
-  const Boundary_mesh_3 mesh = surface.mesh();
-  const Facets_3 facets(surface);
+  const Facets_3 facets(surface.mesh);
   Polycube_of_voxels_3 result = {
     voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
   };
-  const Label_functional_3 functional(mesh, are_among(mesh, surface.sharp_edges));
-  const Pieces_of_surface_3 pieces(mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
+  const Label_functional_3 functional(surface.mesh, surface.is_sharp);
+  const Pieces_of_surface_3 pieces(surface.mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
                                 result.faces.faces.size());
   std::vector<std::size_t> face_of_piece;
   for(const bool do_keep_corners : { false, true })
@@ -112,24 +103,21 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Sp
 
 // Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges
 // between their borders.
-inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn,
-                                            const Unit_surface_3& surface, const Budget& budget)
+inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn, const Budget& budget)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
-  relax_charts_3(drawn.mesh, Label_functional_3(drawn.mesh, are_among(drawn.mesh, drawn.surface.sharp_edges)),
-                 polycube.label_of_chart, drawn.chart_of_facet);
+  const Unit_surface_3& surface = drawn.surface;
+  relax_charts_3(surface, polycube.label_of_chart, drawn.chart_of_facet);
   split_between_borders(drawn);
-  const Unit_surface_3 split
-    = { drawn.mesh, are_among(drawn.mesh, drawn.surface.sharp_edges), surface.box, surface.spacing };
   std::vector<std::size_t> labels;
   for(const std::size_t c : drawn.chart_of_facet)
     labels.push_back(polycube.label_of_chart[c]);
   const double size = surface.box.diagonal().maxCoeff();
   const std::vector<double> coordinates
-    = coordinates_of_voxel_charts_3(Facets_3(drawn.surface), drawn.chart_of_facet, polycube.label_of_chart,
+    = coordinates_of_voxel_charts_3(Facets_3(surface.mesh), drawn.chart_of_facet, polycube.label_of_chart,
                                     polycube.plane_of_chart, gap * polycube.size_of_voxels,
                                     { -surface.box.center() / size, surface.spacing / size });
-  Polycube_map_3 map(split, labels);
+  Polycube_map_3 map(surface, labels);
   std::vector<double> of_charts(map.charts().number_of_charts());
   if(of_charts.size() != coordinates.size())
     return {};
@@ -137,31 +125,24 @@ inline Map_to_voxels_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube
     of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
   if(map.start_at(of_charts, budget) != OK)
     return {};
-  Surface_map_3 finished = finished_map_3(map, budget);
-  if(finished.status != OK)
-    return {};
-  Map_to_voxels_3 result = { std::move(drawn.surface.splits), std::move(finished.images) };
-  result.distortion = distortion_3(split.mesh, result.images);
+  Surface_map_3 result = finished_map_3(map, budget);
+  result.splits = std::move(drawn.surface.splits);
   return result;
 }
 
 // Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places. Splits have a price, since
 // they multiply the cells inside.
-inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Budget& budget)
+inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
   constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
-  const Boundary_mesh_3& mesh = turned.mesh;
-  const int characteristic = 2 - 2 * number_of_handles(mesh);
-  Split_surface_3 unsplit = { unit_points(mesh), turned.surface.facets };
-  for(const auto& [v, w] : turned.surface.sharp_edges)
-    unsplit.sharp_edges.insert((std::minmax)(v, w));
-  const auto cost = [](const Map_to_voxels_3& map) { return map.distortion * static_cast<double>(map.images.size()); }; // a guess
+  const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
+  const auto cost = [](const Surface_map_3& map) { return map.distortion * static_cast<double>(map.images.size()); }; // a guess
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
-  Map_to_voxels_3 best;
+  Surface_map_3 best;
   int number_of_maps = 0, number_of_sizes = 0;
   for(const int number : numbers)
   {
@@ -172,23 +153,22 @@ inline Map_to_voxels_3 map_to_voxels_3(const Turned_surface_3& turned, const Bud
         return best;
       const double size_of_voxels = 1. / number, x = shift(), y = shift(), z = shift();
       const Vector_3 offset = attempt == 0 ? Vector_3(0, 0, 0) : Vector_3(x, y, z);
-      Voxels_3 voxels
-        = voxels_of_surface_3(unsplit.points, unsplit.facets, size_of_voxels, offset, least_parts[attempt]);
+      Voxels_3 voxels = voxels_of_surface_3(surface.mesh, size_of_voxels, offset, least_parts[attempt]);
       if(!make_surface_of_characteristic(voxels, least_parts[attempt], characteristic))
         continue;
-      Split_surface_3 fine = unsplit;
-      fine.split_edges_longer_than(size_of_voxels);
+      Unit_surface_3 fine = surface;
+      split_long_edges_3([&](const Vector_3&) { return size_of_voxels; }, fine);
       const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, budget);
       for(const double length : lengths_of_edges)
       {
-        Drawn_polycube_3 drawn = draw_polycube_3(polycube, unsplit, length * size_of_voxels, budget);
+        Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, length * size_of_voxels, budget);
         if(drawn.chart_of_facet.empty())
           continue;
-        Map_to_voxels_3 map = map_drawn_polycube_3(polycube, std::move(drawn), turned, budget);
-        if(map.images.empty())
+        Surface_map_3 map = map_drawn_polycube_3(polycube, std::move(drawn), budget);
+        if(map.status != OK)
           continue;
         ++number_of_maps;
-        if(best.images.empty() || cost(map) < cost(best))
+        if(best.status != OK || cost(map) < cost(best))
           best = std::move(map);
         break;
       }
