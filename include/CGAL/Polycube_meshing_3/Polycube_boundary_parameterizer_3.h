@@ -239,7 +239,7 @@ public:
 private:
   using Given = std::vector<std::size_t>; // labels
 
-  // Finds images of a boundary as it is given and, if it may be refined, before these those of one with more vertices.
+  // Finds images of a boundary as it is given. If it may be refined, images of a boundary with more vertices may come first.
   Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
                   const internal::Budget& budget, std::vector<internal::Mapped_boundary_3>& boundaries) const
   {

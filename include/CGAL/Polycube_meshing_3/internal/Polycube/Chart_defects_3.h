@@ -60,30 +60,31 @@ public:
   using Labels = std::vector<std::size_t>;
 
   Chart_defects_3(const Chart_borders_3& borders, const Labels& labels)
-    : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_union(labels.size()),
+    : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_whole(labels.size()),
       m_is_corner(borders.sides_to_corner.size(), false), m_is_followed(m_sides.size(), false),
       m_last(m_sides.size()), m_direction(m_sides.size()), m_defects(labels.size(), 0), m_characteristic(labels.size(), 0),
       m_turnings(labels.size())
   {
-    std::iota(m_union.begin(), m_union.end(), 0);
+    std::iota(m_whole.begin(), m_whole.end(), 0);
     for(std::size_t s = 0; s < m_sides.size(); s += 2)
       unite(m_sides[s].chart, m_sides[s + 1].chart);
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
       unite(charts[0], charts[1]);
     for(const Chart_borders_3::Side& side : m_sides)
     {
-      m_chart.push_back(m_union[side.chart]);
+      m_chart.push_back(m_whole[side.chart]);
       m_label.push_back(m_labels[side.chart]);
     }
   }
 
-  // Returns the defects of each chart. Charts that are one have them all at one chart.
+  // Returns the defects of each chart: borders without a corner, corners where not all axes meet, edges of the polycube without a
+  // direction or that turn back, and borders that are not those of a polygon. Charts that are one have them all at one chart.
   std::vector<int> count()
   {
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
       if(m_labels[charts[0]] != m_labels[charts[1]])
         for(const std::size_t c : charts)
-          add_closed_chain(m_union[c]);
+          add_closed_chain(m_whole[c]);
     find_characteristics();
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
       visit_corner(sides);
@@ -98,7 +99,7 @@ public:
       if(separates(s) && !m_is_followed[s])
         follow_closed_chain(s);
     for(std::size_t c = 0; c < m_defects.size(); ++c)
-      if(m_union[c] == c)
+      if(m_whole[c] == c)
         m_defects[c] += distance_from_polygon(m_turnings[c], m_characteristic[c]);
     return m_defects;
   }
@@ -122,9 +123,9 @@ private:
 
   void unite(const std::size_t c, const std::size_t d)
   {
-    const std::size_t from = m_union[c], to = m_union[d];
+    const std::size_t from = m_whole[c], to = m_whole[d];
     if(m_labels[c] == m_labels[d])
-      std::replace(m_union.begin(), m_union.end(), from, to);
+      std::replace(m_whole.begin(), m_whole.end(), from, to);
   }
 
   std::size_t chart(const std::size_t side) const { return m_chart[side]; }
@@ -143,8 +144,8 @@ private:
   // Adds the borders to the charts on both sides, and corners once to each chart there.
   void find_characteristics()
   {
-    for(std::size_t c = 0; c < m_union.size(); ++c)
-      m_characteristic[m_union[c]] += m_borders.inner_characteristic[c];
+    for(std::size_t c = 0; c < m_whole.size(); ++c)
+      m_characteristic[m_whole[c]] += m_borders.inner_characteristic[c];
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
         --m_characteristic[chart(s)];
@@ -225,7 +226,7 @@ private:
   const Chart_borders_3& m_borders;
   const Labels& m_labels;
   const std::vector<Chart_borders_3::Side>& m_sides;
-  std::vector<std::size_t> m_union; // for each chart, the one that stands for all that are one now
+  std::vector<std::size_t> m_whole; // for each chart, the one that stands for all of the chart that it is a part of now
   std::vector<std::size_t> m_chart, m_label; // by side: that chart, and its label
   std::vector<bool> m_is_corner, m_is_followed;
   std::vector<std::size_t> m_last;          // last side of the chain that begins with a side

@@ -164,6 +164,7 @@ private:
     return { number(a), number(b), number(c) };
   }
 
+  // Adds the harmonic functions by which the coordinates of planes move the vertices of a chart, along both of its axes.
   static void add_functions(const std::array<int, 2>& axes, const Edge_positions& positions, Harmonic_chart_2& chart)
   {
     std::vector<bool> is_held;

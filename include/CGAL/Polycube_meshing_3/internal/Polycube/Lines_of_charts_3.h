@@ -90,12 +90,13 @@ private:
     std::optional<double> value;
   };
 
-  // Position of an edge of the polycube, a line, or an end of a line, in a chart or on an edge of the polycube.
+  // Position of an edge of the polycube, a line, or an end of a line, in a chart or on an edge of the polycube: its old and its
+  // new coordinate along an axis, and where it extends along the other one. All ends on an edge are compared.
   struct Position
   {
     int axis;
-    double low, high; // along the other axis
     double old_value, new_value;
+    double low = 0, high = 1;
   };
 
   template <typename Predicate>
@@ -109,6 +110,7 @@ private:
     return true;
   }
 
+  // Adds the positions of edges in their charts, and of their ends on them, which keep their coordinates.
   void add_edges_of_polycube()
   {
     m_chain_of_vertex.assign(m_images.size(), -1);
@@ -121,12 +123,12 @@ private:
       {
         const int axis = other_axis(m_charts, c, chain.axis);
         const auto [low, high] = std::minmax(first[chain.axis], last[chain.axis]);
-        m_positions[c].push_back({ axis, low, high, first[axis], first[axis] });
+        m_positions[c].push_back({ axis, first[axis], first[axis], low, high });
         for(const Vertex v : path)
           m_is_bound[v][axis] = true;
       }
       for(const Vector_3& p : { first, last })
-        m_positions[m_charts.number_of_charts() + i].push_back({ chain.axis, 0, 1, p[chain.axis], p[chain.axis] });
+        m_positions[m_charts.number_of_charts() + i].push_back({ chain.axis, p[chain.axis], p[chain.axis] });
       for(std::size_t k = 1; k + 1 < path.size(); ++k)
         m_chain_of_vertex[path[k]] = static_cast<int>(i);
     }
@@ -260,10 +262,10 @@ private:
       const int along = other_axis(m_charts, line.chart, line.axis);
       const Vector_3 first = m_images[line.vertices.front()], last = m_images[line.vertices.back()];
       const auto [low, high] = std::minmax(first[along], last[along]);
-      result.push_back({ line.chart, { plane.axis, low, high, plane_of({ line }).mean, value } });
+      result.push_back({ line.chart, { plane.axis, plane_of({ line }).mean, value, low, high } });
       for(const Vertex v : line.vertices)
         if(const int chain = m_chain_of_vertex[v]; chain >= 0 && m_charts.chains()[chain].axis == plane.axis)
-          result.push_back({ m_charts.number_of_charts() + chain, { plane.axis, 0, 1, m_images[v][plane.axis], value } });
+          result.push_back({ m_charts.number_of_charts() + chain, { plane.axis, m_images[v][plane.axis], value } });
     }
     return result;
   }

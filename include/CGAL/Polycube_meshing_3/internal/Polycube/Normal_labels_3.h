@@ -48,9 +48,10 @@ public:
       m_face_costs.emplace_back();
       for(std::size_t label = 0; label < 6; ++label)
         m_face_costs.back()[label] = functional.cost(f, label);
-      auto side = m_sides.emplace(m_sides.end())->begin();
+      m_sides.emplace_back();
+      std::size_t i = 0;
       for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
-        *side++ = { mesh.face(mesh.opposite(h)), functional.length(h) };
+        m_sides.back()[i++] = { mesh.face(mesh.opposite(h)), functional.length(h) };
       m_ring.emplace_back();
       for(const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
         for(const Face g : CGAL::faces_around_target(mesh.halfedge(v), mesh))
@@ -149,7 +150,7 @@ public:
         else if(!relabel_regions(1, smoothing, is_settled, labels) && !relabel_regions(2, smoothing, is_settled, labels))
           break;
     }
-    while(!m_budget.is_exhausted() && has_opposite_neighbors(labels));
+    while(!m_budget.is_exhausted() && avoid_opposite_neighbors(labels));
   }
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
@@ -261,12 +262,13 @@ private:
         labels[g] = label;
       add_rings(static_cast<int>(is_settled.size()), f, center_of_face, region); // all whose own regions reach beside it
       for(const Face g : region)
-        for(std::vector<bool>& is : is_settled)
-          is[g] = false;
+        for(std::vector<bool>& of_rings : is_settled)
+          of_rings[g] = false;
     }
     return has_changed;
   }
 
+  // Adds rings of faces around a region. Faces of the region have its center; those that have been added before have it, too.
   void add_rings(const int rings, const Face center, std::vector<Face>& center_of_face, std::vector<Face>& region) const
   {
     for(int ring = 0; ring < rings; ++ring)
@@ -305,8 +307,9 @@ private:
   }
 
   // Makes labels expensive where opposite directions meet. Returns whether any were not so before.
-  bool has_opposite_neighbors(const Labels& labels)
+  bool avoid_opposite_neighbors(const Labels& labels)
   {
+    constexpr double factor = 9; // a guess; of the area
     bool has_changed = false;
     for(const auto h : m_mesh.halfedges())
     {
@@ -321,8 +324,8 @@ private:
         is_expensive = has_changed = true;
         Costs& costs = m_face_costs[m_mesh.face(k)];
         const double area = (costs[label] + costs[neighbor]) / 2;
-        costs[label] += 9 * area;
-        costs[neighbor] += 9 * area;
+        for(const std::size_t l : { label, neighbor })
+          costs[l] += factor * area;
       }
     }
     return has_changed;

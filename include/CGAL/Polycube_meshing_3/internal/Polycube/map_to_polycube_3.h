@@ -29,7 +29,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 // Returns the sharp edges of a surface whose images lead along no axis, joined to polylines of its points, the longest one first.
 inline std::vector<std::vector<Vector_3> > features_given_up_3(const Numbered_surface_3& surface,
-                                                                      const std::vector<Vector_3>& images)
+                                                               const std::vector<Vector_3>& images)
 {
   using Graph = boost::adjacency_list<boost::setS, boost::vecS, boost::undirectedS>;
   struct Visitor // of split_graph_into_polylines()

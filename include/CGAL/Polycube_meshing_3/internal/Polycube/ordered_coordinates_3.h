@@ -92,13 +92,14 @@ double nearest_integer(const NT& x)
   return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
 }
 
-// Returns by how much integers are moved that have the least sum of weight(i) (x(i) - nearest one)^2, relative to the weights. Of
-// two that are about as good, the one is taken with which the numbers extend farthest, whichever way the axis points.
+// Returns the shift of the integers with the least sum of weight(i) (x(i) - nearest shifted integer)^2, relative to the
+// weights. Of two that are about as good, the one is taken with which these integers extend farthest, whichever way the axis
+// points.
 inline double closest_shift_of_integers(const std::vector<double>& weights, const std::vector<double>& x)
 {
   constexpr double worth_of_extent = 0.001; // a guess; far above rounding, a sum that no one would notice
   double result = 0, least = (std::numeric_limits<double>::infinity)();
-  for(const double first : x) // best is the mean distance to the next smaller integers, if these are moved to one of x before
+  for(const double first : x) // from there, each number has the next smaller integer, and the mean of their distances is best
   {
     double weight = 0, sum = 0, sum_of_squares = 0, lowest = 0, highest = 0;
     for(std::size_t i = 0; i < x.size(); ++i)

@@ -43,7 +43,7 @@ public:
 private:
   static constexpr int number_of_rounds = 10, patience = 3;      // guesses
   static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
-  static constexpr double usual_price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points in smooth_hexahedra_3()
+  static constexpr double usual_price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points
 
   void evaluate()
   {

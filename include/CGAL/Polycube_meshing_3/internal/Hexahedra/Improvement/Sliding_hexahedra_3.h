@@ -102,8 +102,8 @@ public:
 
   // Moves the vertices of corners whose scaled Jacobian is below the target, and those near far points of the surfaces, one after
   // the other. Uncovered points have a price.
-  void smooth(const double target, const double price)
-  { smooth_hexahedra_3(m_corners, m_positions, m_covered, target, price, m_budget, m_mesh); }
+  void smooth(const double target, const double price_of_uncovered)
+  { smooth_hexahedra_3(m_corners, m_positions, m_covered, target, price_of_uncovered, m_budget, m_mesh); }
 
   // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, leave the lines, on which corners
   // perhaps cannot become better. Returns whether any vertex was on a line.

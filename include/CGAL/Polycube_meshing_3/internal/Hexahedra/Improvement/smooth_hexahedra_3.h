@@ -94,16 +94,15 @@ inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const
 // Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
 // scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
 // search (Hooke and Jeeves 1961). Each uncovered point of the surfaces costs the price times its squared distance in mean edges;
-// otherwise, vertices would leave tips. Vertices at good corners move for uncovered points alone, as far as corners stay good.
-// Hexahedra that are not positive all over, and their neighbors, are improved inside, too.
+// otherwise, vertices would leave tips. Vertices at corners that reach the target move for uncovered points alone, as far as the
+// corners stay sufficient. Hexahedra that are not positive all over, and their neighbors, are improved inside, too.
 inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std::vector<Position_3>& positions,
-                               const std::vector<Covered_surface_3>& covered, const double target, const double price,
-                               const Budget& budget, Hexahedra_3& mesh)
+                               const std::vector<Covered_surface_3>& covered, const double target,
+                               const double price_of_uncovered, const Budget& budget, Hexahedra_3& mesh)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
   constexpr double tolerance = 0.3;                            // a guess; relative to the mean edge
-  constexpr double good_scaled_jacobian = 0.5;                 // a guess; up to there, corners are not made worse for far points
   std::vector<Vector_3>& points = mesh.points;
   std::vector<Corners_of_vertex> corners_of_vertex(points.size());
   for(const std::array<std::size_t, 4>& corner : corners.corners())
@@ -124,8 +123,8 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
       for(const std::size_t w : hexahedron)
         is_settled[w] = false;
   };
-  const auto price_of_uncovered = [&](const std::size_t v)
-  { return price * uncovered(points, covers[v], tolerance * edge) / (edge * edge); };
+  const auto cost_of_uncovered = [&](const std::size_t v)
+  { return price_of_uncovered * uncovered(points, covers[v], tolerance * edge) / (edge * edge); };
   std::vector<double> widths(points.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(const std::size_t v : corners.order())
@@ -134,12 +133,12 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
         continue;
       const Corners_of_vertex& around = corners_of_vertex[v];
       const double inside = shortage_inside(points, hexahedra_of_vertex[v]);
-      const double missing = shortage(points, around, edge, target), paid = inside + price_of_uncovered(v);
+      const double missing = shortage(points, around, edge, target), paid = inside + cost_of_uncovered(v);
       is_settled[v] = missing == 0 && paid == 0;
       if(is_settled[v])
         continue;
       const double goal
-        = missing > 0 ? target : (std::max)(target, (std::min)(good_scaled_jacobian, least_scaled_jacobian(points, around)));
+        = missing > 0 ? target : (std::max)(target, (std::min)(sufficient_scaled_jacobian, least_scaled_jacobian(points, around)));
       double least = (missing > 0 ? missing : shortage(points, around, edge, goal)) + paid;
       const Vector_3 here = points[v];
       Vector_3 best = here;
@@ -149,7 +148,7 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
         points[v] = positions[v].nearest(here + step * Vector_3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
         double next = shortage(points, around, edge, goal, least);
         if(next < least)
-          next += shortage_inside(points, hexahedra_of_vertex[v]) + price_of_uncovered(v);
+          next += shortage_inside(points, hexahedra_of_vertex[v]) + cost_of_uncovered(v);
         if(next < least)
         {
           least = next;

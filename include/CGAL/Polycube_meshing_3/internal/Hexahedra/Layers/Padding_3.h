@@ -109,6 +109,7 @@ private:
         }
   }
 
+  // Gives the cells of the domain the inner vertices, and covered facets the cells of the layers.
   void move_under_layers()
   {
     for(std::size_t c = 0; c < m_domain.cells.size(); ++c)

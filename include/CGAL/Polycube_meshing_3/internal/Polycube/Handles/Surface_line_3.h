@@ -55,13 +55,17 @@ inline std::array<std::size_t, 4> quarters(const Boundary_mesh_3& mesh, const Su
   const std::size_t n = line.size();
   const double whole = length(mesh, line);
   std::array<std::size_t, 4> result;
-  double sum = 0;
-  for(std::size_t i = 0, k = 0; k < 4; ++k, sum += length(mesh, line[(first + i) % n]), ++i)
+  std::size_t i = 0;   // vertices that have been passed
+  double position = 0; // of the next one
+  const auto pass = [&]() { position += length(mesh, line[(first + i++) % n]); };
+  for(std::size_t k = 0; k < 4; ++k)
   {
     const double wanted = whole * (part + static_cast<double>(k) / 4);
-    for(; i + 4 < n + k && sum + length(mesh, line[(first + i) % n]) / 2 < wanted; ++i)
-      sum += length(mesh, line[(first + i) % n]);
+    const std::size_t last = n - 4 + k; // leaves vertices to the other quarters
+    while(i < last && position + length(mesh, line[(first + i) % n]) / 2 < wanted)
+      pass();
     result[k] = (first + i) % n;
+    pass();
   }
   return result;
 }

@@ -158,9 +158,9 @@ without_repetitions(std::vector<std::pair<std::size_t, std::size_t> > pairs)
 }
 
 // Returns whether pieces, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
-// are now, and pieces of two charts are neighbors if the charts are, and no others.
-inline bool have_pieces_the_neighbors_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
-                                               const std::vector<std::size_t>& face_of_piece)
+// are now, and have the same neighbors as the charts.
+inline bool are_neighbors_those_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                          const std::vector<std::size_t>& face_of_piece)
 {
   const auto chart_of_piece = [&](const std::size_t c) { return charts.chart_of_face[face_of_piece[c]]; };
   std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_pieces;
@@ -214,10 +214,10 @@ inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std:
   return result;
 }
 
-// Returns whether the charts of pieces meet at as many corners as those of the voxels, and the same ones at each. Otherwise, an
-// edge of the polycube would begin and end at one point.
-inline bool have_pieces_the_corners_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
-                                             const std::vector<std::size_t>& face_of_piece)
+// Returns whether the pieces meet at as many corners as the charts of the voxels, and those of the same charts at each.
+// Otherwise, an edge of the polycube would begin and end at one point.
+inline bool are_corners_those_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                        const std::vector<std::size_t>& face_of_piece)
 {
   std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_pieces;
   for(const std::size_t face : charts.faces)

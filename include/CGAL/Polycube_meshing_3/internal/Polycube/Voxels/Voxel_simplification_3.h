@@ -288,8 +288,8 @@ private:
     for(int layer = 0; layer < std::abs(best) && present; ++layer)
       present = move(*present, d, best > 0, changes);
     const Charts_of_voxels_3 charts(m_voxels);
-    if(have_pieces_the_neighbors_of_charts(charts, m_faces, m_face_of_piece)
-       && (!m_do_keep_corners || have_pieces_the_corners_of_charts(charts, m_faces, m_face_of_piece)))
+    if(are_neighbors_those_of_charts(charts, m_faces, m_face_of_piece)
+       && (!m_do_keep_corners || are_corners_those_of_charts(charts, m_faces, m_face_of_piece)))
       return true;
     revert(changes);
     return false;

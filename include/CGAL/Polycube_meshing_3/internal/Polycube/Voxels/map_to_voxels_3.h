@@ -86,7 +86,7 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Un
     Voxel_simplification_3 simplification(voxels, result.faces, pieces, do_keep_corners);
     simplification.run(budget);
     face_of_piece = simplification.face_of_piece();
-    if(have_pieces_the_corners_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_piece))
+    if(are_corners_those_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_piece))
       break;
   }
 
