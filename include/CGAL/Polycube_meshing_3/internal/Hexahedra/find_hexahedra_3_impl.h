@@ -33,36 +33,48 @@ inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
   return result;
 }
 
-// Returns the boxes of a grid in the domain, with the subdomains of their centers; none once the budget is exhausted.
-inline Hexahedra_3 boxes_in_domain(const Body_with_domain_3& body, const Box_grid_3& grid, const Budget& budget)
+// Boxes in a domain and in the body, the layers that they need, and the length of edges in the body without distortion.
+struct Boxes_3
+{
+  Hexahedra_3 in_domain, in_body = {};
+  std::vector<Covered_faces_3> layers = {};
+  double edge = 1;
+};
+
+// Returns the boxes of a grid, with the subdomains of their centers; none once the budget is exhausted.
+inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3& grid, const Budget& budget)
 {
   Locations_3 locations;
-  Hexahedra_3 boxes = grid.boxes([&](const std::vector<Vector_3>& centers)
-                                 { return locations = preimages_3(body, centers, budget); });
+  Boxes_3 result = { grid.boxes([&](const std::vector<Vector_3>& centers)
+                                { return locations = preimages_3(body, centers, budget); }) };
   for(const std::optional<Volume_map_3::Location>& location : locations)
     if(location)
-      boxes.cell_references.push_back(body.soup.cell_references[location->cell]);
-  return boxes;
+      result.in_domain.cell_references.push_back(body.soup.cell_references[location->cell]);
+  result.in_body = pulled_back(body, result.in_domain, budget);
+  if(result.in_body.cells.empty())
+    return result;
+  result.layers = Layer_choice_3(result.in_body).layers();
+  double volume = 0;
+  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
+    volume += volume_of_tetrahedron(body, c);
+  result.edge = std::cbrt(volume / static_cast<double>(result.in_domain.cells.size()));
+  return result;
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                         const Hexahedra_3& boxes, Body_interfaces_3& interfaces, const bool do_keep_interfaces,
+                                         const Boxes_3& boxes, Body_interfaces_3& interfaces, const bool do_keep_interfaces,
                                          const Budget& budget)
 {
-  double volume = 0;
-  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
-    volume += volume_of_tetrahedron(body, c);
-  Best_hexahedra_3 best = { std::cbrt(volume / static_cast<double>(boxes.cells.size())),
-                            refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
-  const std::vector<Covered_faces_3> chosen = Layer_choice_3(pulled_back(body, boxes, budget)).layers();
-  const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes) },
-                                     other = chosen == one ? std::vector<Covered_faces_3>() : one;
-  for(const std::vector<Covered_faces_3>& layers : { chosen, other })
+  Best_hexahedra_3 best
+    = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
+  const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
+                                     other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
+  for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
   {
     if(budget.is_exhausted() || is_at_least(best.result, poor_scaled_jacobian))
       break;
-    Hexahedra_3 padded = boxes;
+    Hexahedra_3 padded = boxes.in_domain;
     for(const Covered_faces_3& faces : layers)
       padded = Padding_3(padded, quadrangles_in(padded, faces), std::vector<int>(padded.cells.size(), 0)).result();
     std::vector<Interface_quadrangle_3> quadrangles;
@@ -86,7 +98,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
 
 // Finds the best hexahedra that follow the interfaces, or that make staircases of them if these are better.
 inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                                    const Hexahedra_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
+                                                    const Boxes_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
 {
   const auto evaluate = [&](Best_hexahedra_3 hexahedra)
   {
@@ -99,8 +111,8 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
   std::optional<Best_hexahedra_3> staircases;
   if(budget.is_limited()) // they are far faster than what follows, which may then have all of the time that is left
     staircases = make_staircases(budget.part(0.5));
-  Hexahedra_3 separated = boxes;
-  Subdomain_separation_3(separated).run(budget);
+  Boxes_3 separated = boxes;
+  Subdomain_separation_3(separated.in_domain).run(budget);
   Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, interfaces, true, budget) };
   Best_hexahedra_3& best = chosen.best;
   if(best.result.has_valid_mesh)
@@ -111,7 +123,7 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
   }
   best = evaluate(std::move(best));
   if((!staircases && budget.is_exhausted())
-     || !may_be_worse_than_staircases(best, interface_distance_3(pulled_back(body, boxes, Budget()), interfaces).distance))
+     || !may_be_worse_than_staircases(best, interface_distance_3(boxes.in_body, interfaces).distance))
     return chosen;
   if(!staircases)
     staircases = make_staircases(budget);
@@ -129,8 +141,8 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   const Box_grid_3 grid(body.soup.cells, body.images, body.surface.lines(), problem.spacing);
   if(grid.check().status != OK)
     return { refused_result(grid.check()), {} };
-  const Hexahedra_3 boxes = boxes_in_domain(body, grid, budget);
-  if(boxes.cells.empty() && !budget.is_exhausted())
+  const Boxes_3 boxes = boxes_of_grid_3(body, grid, budget);
+  if(boxes.in_domain.cells.empty() && !budget.is_exhausted())
     return { refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY, get_error_message(ERROR_INVERTED_TARGET_BOUNDARY))), {} };
   Body_interfaces_3 interfaces(body.soup, body.surface);
   Chosen_hexahedra_3 chosen = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()

@@ -25,7 +25,6 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-using Triangle_3 = std::array<std::size_t, 3>; // of a quadrangle of hexahedra
 using Edge_of_triangle_3 = std::array<std::size_t, 2>;
 
 inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const std::vector<Vector_3>& positions,
@@ -50,23 +49,6 @@ void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Tri
     const auto& [nearest, primitive] = tree.closest_point_and_primitive(exact_point(p));
     f(p, to_vector(nearest), triangles[primitive - triangles_in_space.cbegin()]);
   }
-}
-
-// Surface, and two triangles of each quadrangle that covers it. Those farther away than the tolerance, relative to the mean edge,
-// are pulled.
-struct Covered_surface_3
-{
-  const Body_surface_3* surface;
-  std::vector<Triangle_3> triangles;
-  double tolerance;
-};
-
-inline Covered_surface_3 covered_surface_3(const Cover_3& cover, const double tolerance)
-{
-  Covered_surface_3 result = { cover.surface, {}, tolerance };
-  for(const auto& [a, b, c, d] : cover.quadrangles)
-    result.triangles.insert(result.triangles.end(), { { a, b, c }, { a, c, d } });
-  return result;
 }
 
 // Middle of an edge of triangles that cover a surface, and the nearest point there: a quadrangle that spans a valley has its
@@ -132,14 +114,19 @@ inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, 
 
 // Returns the largest distance between the surface of a body and the boundary of hexahedra.
 inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, const Hexahedra_3& mesh)
-{ return distance_of_cover_3(covered_surface_3({ &surface, mesh.facets }, 0), mesh.points); }
+{
+  Covered_surface_3 covered = { &surface };
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    covered.add(q);
+  return distance_of_cover_3(covered, mesh.points);
+}
 
 // Measures the distances of the vertices, the middles of edges and the centers of quadrangles from the interface of their
 // subdomains, and those of the vertices of interfaces from the quadrangles.
 inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_interfaces_3& interfaces)
 {
   Largest_distance_3 result;
-  std::map<Body_interfaces_3::Pair, Cover_3> covers;
+  std::map<Body_interfaces_3::Pair, Covered_surface_3> interfaces_of_pairs;
   for(const Interface_quadrangle_3& q : interface_quadrangles_3(mesh))
   {
     const Body_surface_3& surface = interfaces.surface_of_pair(pair_of(mesh, q));
@@ -151,11 +138,11 @@ inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_int
       take(point(i));
       take((point(i) + point(i + 1)) / 2);
     }
-    covers.try_emplace(pair_of(mesh, q), Cover_3{ &surface, {} }).first->second.quadrangles.push_back(q.vertices);
+    interfaces_of_pairs.try_emplace(pair_of(mesh, q), Covered_surface_3{ &surface }).first->second.add(q.vertices);
   }
-  for(const auto& [pair, cover] : covers)
+  for(const auto& [pair, covered] : interfaces_of_pairs)
     if(interfaces.patches_of_pairs().count(pair) > 0)
-      for_each_nearest(cover.surface->vertices(), covered_surface_3(cover, 0).triangles, mesh.points,
+      for_each_nearest(covered.surface->vertices(), covered.triangles, mesh.points,
                        [&](const Vector_3& p, const Vector_3& q, const Triangle_3&) { result.take(p, q); });
   return result;
 }

@@ -36,12 +36,8 @@ class Sliding_hexahedra_3
 public:
   Sliding_hexahedra_3(const Placed_hexahedra_3& hexahedra, Linear_solver_3& solver, const bool is_parallel, const Budget& budget)
     : m_mesh(hexahedra.mesh), m_first_points(m_mesh.points), m_positions(hexahedra.positions),
-      m_corners(m_mesh, are_fixed(), is_parallel), m_solver(solver), m_budget(budget)
-  {
-    constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // guesses
-    for(const Cover_3& cover : hexahedra.covers)
-      m_covered.push_back(covered_surface_3(cover, m_covered.empty() ? tolerance_of_boundary : tolerance_of_interface));
-  }
+      m_corners(m_mesh, are_fixed(), is_parallel), m_covered(hexahedra.covered), m_solver(solver), m_budget(budget)
+  {}
 
   const Hexahedra_3& mesh() const { return m_mesh; }
 

@@ -52,19 +52,29 @@ struct Position_3
   Vector_3 nearest(const Vector_3& p) const { return surface->nearest(p, freedom); }
 };
 
-// The quadrangles that are to cover a surface.
-struct Cover_3
+using Triangle_3 = std::array<std::size_t, 3>; // of a quadrangle of hexahedra
+
+// Surface, and two triangles of each quadrangle that covers it. Those farther away than the tolerance, relative to the mean edge,
+// are pulled.
+struct Covered_surface_3
 {
   const Body_surface_3* surface;
-  std::vector<std::array<std::size_t, 4> > quadrangles;
+  std::vector<Triangle_3> triangles = {};
+  double tolerance = 0;
+
+  void add(const std::array<std::size_t, 4>& quadrangle)
+  {
+    const auto& [a, b, c, d] = quadrangle;
+    triangles.insert(triangles.end(), { { a, b, c }, { a, c, d } });
+  }
 };
 
-// Hexahedra, the positions of their vertices, and the covers of the boundary, which comes first, and of patches of interfaces.
+// Hexahedra, the positions of their vertices, and the surfaces that they cover: first the boundary, then patches of interfaces.
 struct Placed_hexahedra_3
 {
   Hexahedra_3 mesh;
   std::vector<Position_3> positions;
-  std::vector<Cover_3> covers;
+  std::vector<Covered_surface_3> covered;
 };
 
 // Finds the positions of vertices by the patches that meet there.
@@ -160,16 +170,20 @@ private:
 inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
                                              Body_interfaces_3& interfaces)
 {
+  constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // guesses
   Placed_hexahedra_3 result = { mesh, Search_for_positions_3(mesh, quadrangles, interfaces).run(),
-                                { { &interfaces.boundary(), mesh.facets } } };
+                                { { &interfaces.boundary(), {}, tolerance_of_boundary } } };
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     result.mesh.points[v] = result.positions[v].point;
-  std::map<std::size_t, Cover_3> covers; // by patch
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    result.covered.front().add(q);
+  std::map<std::size_t, Covered_surface_3> patches;
   for(const Interface_quadrangle_3& q : quadrangles)
     if(q.patch != 0)
-      covers.try_emplace(q.patch, Cover_3{ &interfaces.surface({ q.patch }), {} }).first->second.quadrangles.push_back(q.vertices);
-  for(const auto& [patch, cover] : covers)
-    result.covers.push_back(cover);
+      patches.try_emplace(q.patch, Covered_surface_3{ &interfaces.surface({ q.patch }), {}, tolerance_of_interface })
+        .first->second.add(q.vertices);
+  for(const auto& [patch, covered] : patches)
+    result.covered.push_back(covered);
   return result;
 }
 
