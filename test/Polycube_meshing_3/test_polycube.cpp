@@ -687,6 +687,33 @@ TEST_CASE("a ring that is too coarse for a box with a hole is refined for a poly
   CHECK(volume > 0);
 }
 
+TEST_CASE("a body with several handles and without a polycube is too coarse, unless edges are split")
+{
+  using PM::internal::Vector_3;
+  VMP::Tetrahedron_soup_3 rings = ring_of_prisms(); // two rings that share a quadrangle, each a mirror image of the other one
+  const auto at = [&](const std::size_t v) { return VMP::internal::to_vector(rings.points[v]); };
+  const std::size_t number_of_points = rings.points.size(), number_of_cells = rings.cells.size();
+  const Vector_3 origin = at(0), normal = (at(1) - origin).cross(at(3) - origin).normalized();
+  std::vector<std::size_t> mirrored;
+  for(std::size_t v = 0; v < number_of_points; ++v)
+  {
+    const double height = normal.dot(at(v) - origin);
+    const bool is_shared = std::abs(height) < 1e-9;
+    CHECK(is_shared == (v == 0 || v == 1 || v == 3 || v == 4));
+    mirrored.push_back(is_shared ? v : rings.points.size());
+    if(!is_shared)
+      rings.points.push_back(VMP::internal::coordinates(Vector_3(at(v) - 2 * height * normal)));
+  }
+  for(std::size_t c = 0; c < number_of_cells; ++c)
+  {
+    const auto [i, j, k, l] = rings.cells[c];
+    rings.cells.push_back({mirrored[j], mirrored[i], mirrored[k], mirrored[l]});
+    rings.cell_references.push_back(1);
+  }
+  std::vector<std::array<double, 3> > targets;
+  CHECK(Polycube().parameterize(rings, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+}
+
 TEST_CASE("a search for polycubes of voxels can be ended anywhere, with nothing written")
 {
   const VMP::internal::Body_3 ring = VMP::internal::body_of(ring_of_prisms());

@@ -36,7 +36,7 @@ struct Unit_surface_3
   Box_3 box;    // of the surface before it was scaled, which gives the size of the polycube
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
-  std::vector<std::array<std::size_t, 2> > splits = {}; // edges that were split one after the other, for a last vertex each
+  std::vector<std::array<std::size_t, 2> > splits = {}; // edges whose midpoints became vertices, one after the other
 };
 
 inline int number_of_handles(const Boundary_mesh_3& mesh)

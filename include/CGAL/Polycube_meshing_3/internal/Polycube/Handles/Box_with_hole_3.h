@@ -58,7 +58,7 @@ public:
 
   std::vector<std::size_t> labels() const
   {
-    constexpr std::array<std::size_t, 10> labels_of_charts = { 4, 5, 1, 3, 0, 2, 0, 2, 1, 3 };
+    constexpr std::array<std::size_t, 10> labels_of_charts = { 4, 5, 1, 3, 0, 2, 0, 2, 1, 3 }; // sides inside face the middle
     std::vector<std::size_t> result;
     for(const std::size_t chart : m_chart)
       result.push_back(labels_of_charts[chart]);

@@ -35,7 +35,8 @@ public:
 
   // Takes the meridian as a loop of vertices.
   Lines_of_box_3(const Boundary_mesh_3& mesh, const std::vector<std::size_t>& meridian)
-    : m_mesh(mesh), m_is_on_meridian(mesh.number_of_vertices(), false), m_uses(mesh.number_of_vertices(), 0)
+    : m_mesh(mesh), m_is_on_meridian(mesh.number_of_vertices(), false), m_uses(mesh.number_of_vertices(), 0),
+      m_prices(mesh.number_of_vertices(), 0)
   {
     Surface_line_3 loop = line_along(mesh, meridian);
     loop.push_back(mesh.halfedge(vertex_index(meridian.back()), vertex_index(meridian.front())));
@@ -137,45 +138,56 @@ private:
     b.insert(b.begin() + j, between.begin(), between.end());
   }
 
+  // Routes the lines until they are disjoint. Returns whether they are.
   bool separate(const Budget& budget)
   {
     constexpr int minimum_number_of_rounds = 4, rounds_between_exchanges = 4, maximum_number_of_rounds = 40; // guesses
-    const double quarter = length(m_mesh, m_meridian) / 4;
-    std::vector<double> history(m_uses.size(), 0);
     for(int round = 1;
         round <= maximum_number_of_rounds && budget.may_begin_round(Phase::BOUNDARY, "lines around handles"); ++round)
     {
       for(std::size_t k = 0; k < m_lines.size(); ++k)
-      {
-        use(m_lines[k], -1);
-        std::vector<Vertex> other_vertices;
-        for(const Vertex v : m_mesh.vertices())
-          if(m_uses[v] > 0)
-            other_vertices.push_back(v);
-        const Shortest_paths from_other_lines
-          = shortest_paths_3(m_mesh, other_vertices, [this](const Halfedge h) { return length(m_mesh, h); });
-        const auto factor = [&](const Vertex v)
-        { return 1 + history[v] + (m_uses[v] > 0 ? 10 * round : std::pow(quarter / from_other_lines.distance[v], 2)); };
-        m_lines[k] = path(m_crossings[k], [&](const Halfedge h) { return length(m_mesh, h) * factor(m_mesh.target(h)); });
-        if(m_lines[k].empty())
+        if(!route(k, 10 * round))
           return false;
-        use(m_lines[k], 1);
-      }
-      bool is_separate = true;
-      for(std::size_t v = 0; v < m_uses.size(); ++v)
-        if(m_uses[v] > 1)
-        {
-          history[v] += 10;
-          is_separate = false;
-        }
-      if(is_separate && round >= minimum_number_of_rounds)
+      const bool do_meet = raise_prices();
+      if(!do_meet && round >= minimum_number_of_rounds)
         return true;
-      if(!is_separate && round % rounds_between_exchanges == 0)
+      if(do_meet && round % rounds_between_exchanges == 0)
         for(std::size_t k = 0; k < m_lines.size(); ++k)
           for(std::size_t l = 0; l < k; ++l)
             exchange_between_meetings(m_lines[k], m_lines[l]);
     }
     return false;
+  }
+
+  // Routes a line along a path that is short and away from the others, whose vertices have a price. Returns whether there is one.
+  bool route(const std::size_t k, const double price)
+  {
+    use(m_lines[k], -1);
+    std::vector<Vertex> other_vertices;
+    for(const Vertex v : m_mesh.vertices())
+      if(m_uses[v] > 0)
+        other_vertices.push_back(v);
+    const Shortest_paths from_other_lines
+      = shortest_paths_3(m_mesh, other_vertices, [this](const Halfedge h) { return length(m_mesh, h); });
+    const double quarter = length(m_mesh, m_meridian) / 4;
+    const auto factor = [&](const Vertex v)
+    { return 1 + m_prices[v] + (m_uses[v] > 0 ? price : std::pow(quarter / from_other_lines.distance[v], 2)); };
+    m_lines[k] = path(m_crossings[k], [&](const Halfedge h) { return length(m_mesh, h) * factor(m_mesh.target(h)); });
+    use(m_lines[k], 1);
+    return !m_lines[k].empty();
+  }
+
+  // Raises the prices of vertices where lines meet. Returns whether there are any.
+  bool raise_prices()
+  {
+    bool do_meet = false;
+    for(std::size_t v = 0; v < m_uses.size(); ++v)
+      if(m_uses[v] > 1)
+      {
+        m_prices[v] += 10;
+        do_meet = true;
+      }
+    return do_meet;
   }
 
   const Boundary_mesh_3& m_mesh;
@@ -184,6 +196,7 @@ private:
   std::array<Surface_line_3, 4> m_lines;
   std::vector<bool> m_is_on_meridian;
   std::vector<int> m_uses;                // numbers of lines at vertices
+  std::vector<double> m_prices;           // of vertices for which lines have contended
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal
