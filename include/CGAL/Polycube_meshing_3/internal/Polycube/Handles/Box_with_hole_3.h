@@ -37,16 +37,12 @@ public:
       m_chart(mesh.number_of_faces(), none)
   {}
 
-  // Divides the surface, with the corners inside moved along their line by a number of vertices. Returns whether there is room for
-  // all sides of the rings.
-  bool run(const int turn)
+  // Divides the surface. Returns whether there is room for all sides of the rings.
+  bool run()
   {
     for(std::size_t k = 0; k < 4; ++k)
       draw(m_lines.line(k));
-    const int n = static_cast<int>(m_inside.line.size());
     m_inside.corners = quarters(m_mesh, m_inside.line, 0, 1 / 8.);
-    for(std::size_t& corner : m_inside.corners)
-      corner = static_cast<std::size_t>(((static_cast<int>(corner) + turn) % n + n) % n);
     const auto corners = corners_outside();
     if(!corners)
       return false;

@@ -35,24 +35,16 @@ inline std::vector<double> coordinates_of_charts(const Polycube_charts_3& charts
   return are_whole && have_axes ? result : std::vector<double>();
 }
 
-// Result of mapping a surface to a box with a hole.
-struct Map_to_box_with_hole_3
-{
-  std::size_t number_of_flipped_faces = (std::numeric_limits<std::size_t>::max)(); // between edges
-  Surface_map_3 map = { ERROR_BOUNDARY_TOO_COARSE };
-};
-
 // Maps a surface to the box with a hole between lines. Faces without room between the edges are given to neighboring charts.
-inline Map_to_box_with_hole_3 map_to_box_between_lines_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
-                                                         const int turn, const Normal_labels_3& costs, const Budget& budget)
+inline Surface_map_3 map_to_box_between_lines_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
+                                                const Normal_labels_3& costs, const Budget& budget)
 {
   constexpr int maximum_number_of_attempts = 10; // a guess
   const Boundary_mesh_3& mesh = surface.mesh;
   const double size = surface.box.diagonal().maxCoeff();
-  Map_to_box_with_hole_3 result;
   Box_with_hole_3 box(mesh, lines);
-  if(!box.run(turn))
-    return result;
+  if(!box.run())
+    return { ERROR_BOUNDARY_TOO_COARSE };
   const std::vector<std::size_t> labels_of_box = box.labels();
   const std::vector<double> coordinates_of_box = box.coordinates({ -surface.box.center() / size, surface.spacing / size });
   std::vector<std::size_t> labels = labels_of_box;
@@ -65,43 +57,15 @@ inline Map_to_box_with_hole_3 map_to_box_between_lines_3(const Unit_surface_3& s
     const std::vector<double> coordinates
       = coordinates_of_charts(map.charts(), box.chart_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
-      return result;
+      break;
     const Error_code status = map.start_at(coordinates, budget);
-    result.number_of_flipped_faces = (std::min)(result.number_of_flipped_faces, map.flipped_faces().size());
     const double distortion = map.distortion(); // of the harmonic map, by which cuts are compared
     if(status == OK && map.finish(budget) == OK)
-    {
-      result.map = { OK, map.images(), distortion };
-      return result;
-    }
+      return { OK, map.images(), distortion };
     if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
-      return result;
-  }
-  return result;
-}
-
-// Maps a surface to a box whose hole is turned as long as fewer faces are flipped: where the surface is narrow, sides of the hole
-// may not face the sides of the box that they have edges with.
-inline Surface_map_3 map_to_turned_box_3(const Unit_surface_3& surface, const Lines_of_box_3& lines,
-                                         const Normal_labels_3& costs, const Budget& budget)
-{
-  int turn = 0;
-  Map_to_box_with_hole_3 best = map_to_box_between_lines_3(surface, lines, turn, costs, budget);
-  for(bool is_better = true; is_better && best.map.status != OK; )
-  {
-    is_better = false;
-    for(const int step : { 1, -1, 2, -2, 4, -4, 8, -8, 16, -16 })
-    {
-      Map_to_box_with_hole_3 other = map_to_box_between_lines_3(surface, lines, turn + step, costs, budget);
-      if(other.map.status != OK && other.number_of_flipped_faces >= best.number_of_flipped_faces)
-        continue;
-      best = std::move(other);
-      turn += step;
-      is_better = true;
       break;
-    }
   }
-  return best.map;
+  return { ERROR_BOUNDARY_TOO_COARSE };
 }
 
 // Maps the surface of a body with one handle onto that of a box with a hole, if the mesh is fine enough. Among several cuts of the
@@ -129,7 +93,7 @@ inline Surface_map_3 map_to_box_with_hole_3(const Unit_surface_3& surface, const
     Lines_of_box_3 lines(mesh, meridian);
     Surface_map_3 map = { ERROR_BOUNDARY_TOO_COARSE };
     if(lines.run(budget))
-      map = map_to_turned_box_3(surface, lines, costs, budget);
+      map = map_to_box_between_lines_3(surface, lines, costs, budget);
     number_of_maps += map.status == OK;
     if(best.status != OK || map.distortion < best.distortion)
       best = std::move(map);
