@@ -24,7 +24,7 @@ struct Dominant_cells_3
 {
   std::vector<std::size_t> cells; // the first one holds most
   double part_of_energy = 0;      // that all of them hold
-  double logarithmic_mean = 0;    // of 1 + the energy of all cells, where those far above the median count as not so far
+  double logarithmic_mean = 0;    // of 1 + the energy of all cells, each capped far above the median
 
   bool hold_majority() const { return part_of_energy > 0.5; }
 };
@@ -57,8 +57,8 @@ inline Dominant_cells_3 dominant_cells_3(const Numbered_mesh_3& mesh, const Cell
 
 // Judges, every five steps, whether a minimization still gains. The energy stagnates if it has fallen by less than a
 // tolerance times itself, and the squared Newton decrement, which falls fast near a minimum, has hardly fallen. If few cells
-// hold most of the energy, it may fall for these cells alone. The mean of the logarithms, in which they count like others,
-// shows this: it has not become notably lower for a hundred steps.
+// hold most of the energy, it may fall for these cells alone: the minimization crawls. The mean of the logarithms, in which they
+// count like others, shows this: it has not become notably lower for a hundred steps.
 class Gain_3
 {
 public:
@@ -110,11 +110,15 @@ public:
       m_lowest_mean = m_dominant.logarithmic_mean;
       m_step_of_lowest_mean = m_number_of_steps;
     }
-    const bool ends = stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
-    return ends ? std::optional(ERROR_NOT_CONVERGED) : std::nullopt;
+    m_is_crawling = stagnates || m_number_of_steps >= m_step_of_lowest_mean + patience;
+    return m_is_crawling ? std::optional(ERROR_NOT_CONVERGED) : std::nullopt;
   }
 
-  // Do a few cells hold most of the energy?
+  // Do a few cells hold most of the energy where the minimization has crawled, or has reached a minimum?
+  bool is_dominated_at_end(const Newton_result_3& end)
+  { return m_is_crawling || (end.status == OK && end.energy > large_energy && is_dominated(end.positions)); }
+
+private:
   bool is_dominated(const Matrix3Xd& image)
   {
     if(m_mesh.is_whole()) // the median of a part is not that of all
@@ -122,7 +126,6 @@ public:
     return m_dominant.hold_majority();
   }
 
-private:
   static constexpr std::size_t interval = 5; // a guess; number of steps between two looks at the gain
 
   const Numbered_mesh_3& m_mesh;
@@ -135,6 +138,7 @@ private:
   Dominant_cells_3 m_dominant;
   double m_lowest_mean = std::numeric_limits<double>::infinity();
   std::size_t m_step_of_lowest_mean = 0;
+  bool m_is_crawling = false;
 };
 
 // Ends a minimization where nothing is gained.
@@ -172,19 +176,12 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
     progress.end_check();
   };
   Gain_3 gain(mesh, problem.energy, problem.options.energy_tolerance);
-  bool has_crawled = false;
   progress.begin_attempt("minimization");
   const Newton_result_3 whole = minimize_energy_3(
     system, problem.energy, found.map.positions, progress, Negative_curvature(found.may_be_near_minimum ? 1 : 0),
-    [&](const Newton_iterate_3& iterate)
-    {
-      const std::optional<Error_code> status = gain.status_of_end(iterate);
-      has_crawled = status == ERROR_NOT_CONVERGED;
-      return status;
-    }, negligible_gain);
+    [&](const Newton_iterate_3& iterate) { return gain.status_of_end(iterate); }, negligible_gain);
   take(whole);
-  const bool is_minimum = found.status == OK && whole.energy > Gain_3::large_energy && gain.is_dominated(whole.positions);
-  if(!is_minimum && !has_crawled)
+  if(!gain.is_dominated_at_end(whole))
     return found;
 
   const Unknowns_3 other_unknowns = unknowns_without_cells(mesh, system.unknowns(), gain.dominant_cells());
@@ -195,7 +192,7 @@ inline Found_map_3 minimize_map_3(Newton_system_3& system, const Map_problem_3& 
   take(minimize_energy_3(rest, problem.energy, whole.positions, progress, Negative_curvature(),
                          ends_if_stagnating(mesh, problem), negligible_gain));
   if(found.status == OK || found.status == ERROR_NOT_CONVERGED)
-    found.status = is_minimum ? OK : ERROR_NOT_CONVERGED; // of the energy as a whole, which crawled if it has no minimum
+    found.status = whole.status; // counts, as the energy of all vertices is to be minimal
   if(found.status == ERROR_NOT_CONVERGED)
     found.reason = gain.describe_dominant_cells();
   return found;
