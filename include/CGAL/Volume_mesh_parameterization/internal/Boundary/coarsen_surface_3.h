@@ -105,6 +105,7 @@ struct Collapse
   double cost;
 };
 
+// Returns the cheapest collapse of a vertex onto a neighbor that keeps the surface a manifold, or -1 as its end.
 inline Collapse best_collapse(const Vertex_rings_3& rings, const std::vector<Vector_3>& points, const int v)
 {
   Collapse best = { v, -1, (std::numeric_limits<double>::infinity)() };

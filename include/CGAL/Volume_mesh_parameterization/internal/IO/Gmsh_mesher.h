@@ -143,8 +143,8 @@ inline void load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshe
   gmsh::model::geo::synchronize();
 }
 
-// Fills a closed surface with new triangles on it. Where Gmsh finds no parameters for these, triangles of the surface stay. Faces
-// of Gmsh are no faces of the body.
+// Fills a closed surface with new triangles on it. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
+// that Gmsh returns are left out, as they are not those of the user.
 inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const double cell_size)
 {
   require_closed(surface);

@@ -207,7 +207,7 @@ private:
     tags.push_back(tag);
   }
 
-  // The first step of each view.
+  // Reads the first step of each view.
   void read_data()
   {
     std::vector<int> views;

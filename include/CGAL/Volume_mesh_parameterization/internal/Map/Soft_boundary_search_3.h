@@ -40,7 +40,7 @@ public:
       end(ERROR_INVERTED_SOURCE_CELL);
   }
 
-  // To be called while it is running.
+  // Makes a step, and decides what comes next. The search must be running.
   void step()
   {
     const std::optional<Error_code> status = m_minimizer->step();

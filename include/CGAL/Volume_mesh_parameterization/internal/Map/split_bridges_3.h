@@ -21,8 +21,8 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Marks the points of bridges: of edges, facets and cells inside whose vertices are all prescribed, as those across a gap
-// that is one cell wide. No map relaxes them.
+// Marks the points of bridges. A bridge is an edge, facet or cell inside whose vertices are all prescribed, for instance across a
+// wall that is one cell thick. No map changes its image.
 inline std::vector<bool> points_of_bridges_3(Body_3& body, const std::vector<bool>& is_prescribed, const Budget& budget)
 {
   const Refinement_3 refinement(body);

@@ -41,7 +41,7 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
   return {};
 }
 
-// Where a part of the boundary is free, prescribed points may be so far from the origin that rounding makes all cells flat.
+// Refuses prescribed points so far from the origin that rounding makes all cells flat, where a part of the boundary is free.
 inline Input_check_3 check_distance_from_origin(const Numbered_mesh_3& mesh)
 {
   if(!mesh.alignment)

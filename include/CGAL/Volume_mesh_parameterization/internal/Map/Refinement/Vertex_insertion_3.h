@@ -135,7 +135,7 @@ private:
     const Cell_handle c = outer.new_cell();
     if(outer.is_of_complex)
       m_c3t3.add_to_complex(c, outer.subdomain);
-    if(m_c3t3.is_in_complex(outer.facet)) // and its new side must be, too
+    if(m_c3t3.is_in_complex(outer.facet)) // adds it again, since its side in the new cell is not marked yet
     {
       const Surface_patch_index patch = m_c3t3.surface_patch_index(outer.facet);
       m_c3t3.remove_from_complex(outer.facet);

@@ -44,7 +44,7 @@ constexpr std::array<Untangling_attempt_3, 3> untangling_attempts = {{
   {"cells of the source", false, Reference_cells::SOURCE, 0.01, 0.3}
 }};
 
-// In a patch, which is small, from both starts, and with directions that are as good as may be.
+// Returns the attempts in a patch, from both starts. Patches are small, so that their linear systems can be solved more exactly.
 inline std::vector<Untangling_attempt_3> patch_attempts()
 {
   std::vector<Untangling_attempt_3> result;

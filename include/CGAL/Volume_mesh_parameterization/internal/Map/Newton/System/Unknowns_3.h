@@ -56,7 +56,7 @@ public:
     }
   }
 
-  // These without some vertices.
+  // Returns the unknowns without the vertices for which `is_known(v)` is true.
   template <typename Predicate>
   Unknowns_3 without(const Predicate& is_known) const
   {
