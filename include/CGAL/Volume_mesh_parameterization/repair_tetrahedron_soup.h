@@ -100,9 +100,8 @@ inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::ar
                                                        const bool is_parallel)
 {
   std::vector<std::size_t> result(cells.size());
-  for_each_group(cells.size(),
-                           [&](const std::size_t c) { return std::make_pair(sorted(cells[c]), c); },
-                           [&](const auto begin, const auto end)
+  for_each_group(cells.size(), [&](const std::size_t c) { return std::make_pair(sorted(cells[c]), c); },
+                 [&](const auto begin, const auto end)
   {
     for(auto it = begin; it != end; ++it)
       result[it->second] = begin->second;

@@ -46,7 +46,7 @@ public:
         copies->push_back({ array.name, array.number_of_components, array.has_integers, {} });
   }
 
-  // `vertices` are those of cell c, which has a type of VTK.
+  // Adds cell c of the file, with these vertices, as what its type of VTK says.
   template <typename Iterator>
   void add(const std::size_t c, const std::int64_t type, const Iterator vertices, const std::size_t number_of_vertices)
   {
