@@ -70,7 +70,7 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
 template <typename NamedParameters>
 Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
 {
-  const VMP::Triangulated_surface_3 surface(mapped.surface.points, mapped.surface.facets);
+  const VMP::Any_surface_3 surface = VMP::Triangulated_surface_3(mapped.surface.points, mapped.surface.facets);
   std::vector<VMP::Vertex_condition_3> conditions(mapped.mesh.points.size());
   for(const std::size_t v : VMP::boundary_vertices(mapped.mesh.points, mapped.mesh.cells))
     conditions[v] = VMP::Vertex_condition_3::on_surface(surface);

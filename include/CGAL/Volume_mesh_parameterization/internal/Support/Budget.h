@@ -40,7 +40,7 @@ public:
 
   bool is_exhausted() const
   {
-    m_state->is_exhausted = m_state->is_exhausted || seconds() > m_seconds || !m_may_continue();
+    m_state->is_exhausted = m_state->is_exhausted || (is_limited() && seconds() > m_seconds) || !m_may_continue();
     return m_state->is_exhausted;
   }
 

@@ -36,26 +36,35 @@ public:
   Self_intersection_3(const Matrix3Xd& points, const std::vector<Facet>& facets) : m_points(points), m_facets(facets)
   {}
 
-  // The pairs, in ascending order. None, if the budget ends before all have been compared. Triangles without area are left out.
-  std::vector<Pair> find(const Budget& budget = Budget()) const
+  // Enough of the pairs, in ascending order. None if the budget ends before. Triangles without area are left out.
+  std::vector<Pair> find(const Budget& budget = Budget(),
+                         const std::size_t enough = (std::numeric_limits<std::size_t>::max)()) const
   {
     std::vector<Box> boxes;
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       if(const Triangle t = triangle(f); !CGAL::collinear(t[0], t[1], t[2]))
         boxes.emplace_back(t.bbox(), f);
+    std::vector<const Box*> pointers; // which are faster to sort
+    for(const Box& box : boxes)
+      pointers.push_back(&box);
     std::vector<Pair> result;
-    struct End_of_time {}; // the only way out of the comparison
+    struct End {}; // the only way out of the comparison
     try
     {
-      CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b)
+      constexpr std::ptrdiff_t cutoff = 2000; // a guess; fewer boxes are compared without a tree
+      CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), [&](const Box* const a, const Box* const b)
       {
-        if(budget.is_exhausted())
-          throw End_of_time();
-        if(const Pair pair = std::minmax(a.info(), b.info()); do_intersect(pair.first, pair.second))
+        if(budget.is_exhausted() || result.size() >= enough)
+          throw End();
+        if(const Pair pair = std::minmax(a->info(), b->info()); do_intersect(pair.first, pair.second))
           result.push_back(pair);
-      });
+      }, cutoff);
     }
-    catch(const End_of_time&) { return {}; }
+    catch(const End&)
+    {
+      if(result.size() < enough)
+        return {};
+    }
     std::sort(result.begin(), result.end());
     return result;
   }
@@ -71,6 +80,15 @@ private:
   Triangle triangle(const std::size_t f) const
   { return Triangle(point(m_facets[f][0]), point(m_facets[f][1]), point(m_facets[f][2])); }
 
+  // Are two points strictly on the same side of a triangle?
+  bool is_on_one_side(const int v, const int w, const Facet& facet) const
+  {
+    const auto side = [&](const int u)
+    { return CGAL::orientation(point(facet[0]), point(facet[1]), point(facet[2]), point(u)); };
+    const CGAL::Orientation of_v = side(v);
+    return of_v != CGAL::COPLANAR && of_v == side(w);
+  }
+
   // Common vertices come last.
   static int put_common_vertices_last(Facet& f, const Facet& other)
   {
@@ -85,6 +103,8 @@ private:
     put_common_vertices_last(g, f);
     if(n == 0)
       return CGAL::do_intersect(triangle(a), triangle(b));
+    if(n == 1 && is_on_one_side(f[0], f[1], g))
+      return false;
     if(n == 1) // the common vertex is an end of all other edges
       return CGAL::do_intersect(Segment(point(f[0]), point(f[1])), triangle(b))
           || CGAL::do_intersect(Segment(point(g[0]), point(g[1])), triangle(a));

@@ -27,15 +27,17 @@ public:
 
   Embedded_boundary_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Matrix3Xd& positions)
     : m_unknowns(unknowns), m_is_parallel(mesh.is_parallel), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
-      m_does_intersect(!Self_intersection_3(positions, m_facets).find().empty())
+      m_does_intersect(!Self_intersection_3(positions, m_facets).find(Budget(), 1).empty())
   {
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(const Facet& facet : m_facets)
       m_signs.push_back(products(facet, positions, normals).maxCoeff() <= 0 ? -1 : 1);
   }
 
-  // Returns the facets that show another side of their surfaces than at the start, or begin to intersect each other.
-  std::vector<Facet> spoilt_facets(const Matrix3Xd& positions) const
+  // Returns the facets that show another side of their surfaces than at the start, or begin to intersect each other. The search
+  // may end when there are enough of them.
+  std::vector<Facet> spoilt_facets(const Matrix3Xd& positions,
+                                   const std::size_t enough = (std::numeric_limits<std::size_t>::max)()) const
   {
     std::vector<Facet> result;
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
@@ -45,8 +47,8 @@ public:
       if(x.maxCoeff() <= 0 && x.minCoeff() < 0)
         result.push_back(m_facets[f]);
     }
-    if(!m_does_intersect)
-      for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find())
+    if(!m_does_intersect && result.size() < enough)
+      for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find(Budget(), enough))
         result.insert(result.end(), { m_facets[f], m_facets[g] });
     return result;
   }

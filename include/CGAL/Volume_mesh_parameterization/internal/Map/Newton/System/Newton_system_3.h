@@ -85,7 +85,7 @@ public:
 
   bool is_boundary_kept_embedded() const { return m_boundary != nullptr; }
   bool is_boundary_embedded(const Positions& u) const
-  { return m_boundary == nullptr || m_boundary->spoilt_facets(u / m_scale).empty(); }
+  { return m_boundary == nullptr || m_boundary->spoilt_facets(u / m_scale, 1).empty(); }
 
   // Holds vertices, until projectors are set, that a step would lead uphill after they are put back on their surfaces, as a
   // fold does, and those of facets that it would spoil. Returns whether there are any.
