@@ -31,7 +31,7 @@ public:
   {
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(const Facet& facet : m_facets)
-      m_signs.push_back(products(facet, positions, normals).maxCoeff() <= 0 ? -1 : 1);
+      m_signs.push_back(is_turned(facet, 1, positions, normals) ? -1 : 1);
   }
 
   // Returns the facets that show another side of their surfaces than at the start, or begin to intersect each other. The search
@@ -42,11 +42,8 @@ public:
     std::vector<Facet> result;
     const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(std::size_t f = 0; f < m_facets.size(); ++f)
-    {
-      const Vector_3 x = m_signs[f] * products(m_facets[f], positions, normals);
-      if(x.maxCoeff() <= 0 && x.minCoeff() < 0)
+      if(is_turned(m_facets[f], m_signs[f], positions, normals))
         result.push_back(m_facets[f]);
-    }
     if(!m_does_intersect && result.size() < enough)
       for(const auto& [f, g] : Self_intersection_3(positions, m_facets).find(Budget(), enough))
         result.insert(result.end(), { m_facets[f], m_facets[g] });
@@ -54,19 +51,22 @@ public:
   }
 
 private:
-  // Returns the products of the normal of a facet with those of the surfaces at its vertices.
-  static Vector_3 products(const Facet& facet, const Matrix3Xd& positions, const Matrix3Xd& normals)
+  // Is the normal of a facet, multiplied by a sign, opposite to those of the surfaces at its vertices and next to its center?
+  bool is_turned(const Facet& facet, const double sign, const Matrix3Xd& positions, const Matrix3Xd& normals) const
   {
     const auto& [a, b, c] = facet;
-    const Vector_3 p = positions.col(a), q = positions.col(b), r = positions.col(c), normal = (q - p).cross(r - p);
-    return { normal.dot(normals.col(a)), normal.dot(normals.col(b)), normal.dot(normals.col(c)) };
+    const Vector_3 p = positions.col(a), q = positions.col(b), r = positions.col(c), normal = sign * (q - p).cross(r - p),
+                   products = { normal.dot(normals.col(a)), normal.dot(normals.col(b)), normal.dot(normals.col(c)) };
+    return products.maxCoeff() <= 0 && products.minCoeff() < 0
+           && std::all_of(facet.begin(), facet.end(), [&](const int v)
+              { return normal.dot(m_unknowns.normal_of_surface(v, (p + q + r) / 3)) <= 0; });
   }
 
   const Unknowns_3& m_unknowns;
   bool m_is_parallel;
   std::vector<Facet> m_facets;
   bool m_does_intersect; // at the start
-  std::vector<double> m_signs; // -1 for facets with normals against those of their surfaces at the start, 1 for all others
+  std::vector<double> m_signs; // -1 for facets that are turned at the start, 1 for all others
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

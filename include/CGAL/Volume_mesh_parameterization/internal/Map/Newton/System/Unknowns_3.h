@@ -109,16 +109,20 @@ public:
     return result;
   }
 
+  // Returns the normal of the surface of a vertex next to a point, and 0 if the vertex is on no surface.
+  Vector_3 normal_of_surface(const int v, const Vector_3& p) const
+  {
+    if(!contains(v) || m_conditions[row(v)].kind() != Vertex_condition_3::ON_SURFACE)
+      return Vector_3(0, 0, 0);
+    return to_vector(m_conditions[row(v)].surface().nearest_point({ p[0], p[1], p[2] }).direction);
+  }
+
   // Returns the normals of surfaces at their vertices, and 0 for all other vertices.
   Matrix3Xd normals_of_surfaces(const Matrix3Xd& positions, const bool is_parallel) const
   {
     Matrix3Xd result = Matrix3Xd::Zero(3, number_of_vertices());
     for_each_on_surface(is_parallel, [&](const int row)
-    {
-      const auto p = positions.col(vertex(row));
-      if(m_conditions[row].kind() == Vertex_condition_3::ON_SURFACE)
-        result.col(vertex(row)) = to_vector(m_conditions[row].surface().nearest_point({ p[0], p[1], p[2] }).direction);
-    });
+    { result.col(vertex(row)) = normal_of_surface(vertex(row), positions.col(vertex(row))); });
     return result;
   }
 
