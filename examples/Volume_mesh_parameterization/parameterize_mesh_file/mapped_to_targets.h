@@ -66,7 +66,8 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
   return result;
 }
 
-// Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is.
+// Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is. Where vertices are at
+// edges of the surface, rounding may choose other normals than in the steps that were allowed, so the result is judged again.
 template <typename NamedParameters>
 Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
 {
@@ -80,6 +81,13 @@ Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedPar
       .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(mapped.uvw)));
   if(!result.has_valid_map || result.boundary_residual > 0)
     return fitted;
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.facets);
+  if(fit.number_of_turned_facets > 0 || fit.number_of_intersections > 0)
+  {
+    result = fitted;
+    result.message += " The boundary does not slide, because facets would be turned over or intersect each other.";
+    return result;
+  }
   mapped.uvw = std::move(uvw);
   result.number_of_added_vertices = fitted.number_of_added_vertices;
   result.number_of_added_boundary_vertices = fitted.number_of_added_boundary_vertices;
