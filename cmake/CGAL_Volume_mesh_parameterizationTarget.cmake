@@ -54,6 +54,8 @@ endfunction()
 # no type that both know depends on them, so its users learn nothing but the macro.
 if(${PROJECT_NAME}_ENGINE)
   file(CONFIGURE OUTPUT engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Triangulated_surface_3_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/parameterize_body_3_impl.h>

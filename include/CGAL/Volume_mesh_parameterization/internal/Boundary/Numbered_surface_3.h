@@ -14,11 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Boundary of a body as plain arrays: the seam between complexes of any type and maps of their boundaries, which are
+// compiled once.
 // Boundary of a body, with points of its own.
 struct Numbered_surface_3
 {
@@ -29,45 +29,16 @@ struct Numbered_surface_3
   const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // cells of the body, by its points
 };
 
-inline Numbered_surface_3 surface_of(const Body_3& body)
-{
-  const Numbered_points numbered(body.boundary, body.points.size());
-  Numbered_surface_3 surface;
-  surface.vertices = numbered.points;
-  surface.cells = &body.cells;
-  for(const std::size_t v : surface.vertices)
-    surface.points.push_back(to_vector(body.points[v]));
-  surface.facets = body.boundary;
-  for(std::array<std::size_t, 3>& facet : surface.facets)
-    for(std::size_t& v : facet)
-      v = static_cast<std::size_t>(numbered.numbers[v]);
-  std::vector<std::array<std::size_t, 2> > marked;
-  for(const auto& [v, w] : body.edges)
-    if(numbered.numbers[v] >= 0 && numbered.numbers[w] >= 0)
-      marked.push_back({ static_cast<std::size_t>(numbered.numbers[v]), static_cast<std::size_t>(numbered.numbers[w]) });
-  surface.sharp_edges = sharp_edges_3(surface.facets, std::move(marked), [&](const std::size_t v) { return surface.points[v]; });
-  return surface;
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Numbered_surface_3 surface_of(const Body_3& body);
 
-inline std::vector<std::size_t> non_manifold_points(const Body_3& body)
-{
-  const Numbered_surface_3 surface = surface_of(body);
-  std::vector<std::size_t> result;
-  for(const std::size_t v : non_manifold_vertices(surface.vertices.size(), surface.facets))
-    result.push_back(surface.vertices[v]);
-  return result;
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_points(const Body_3& body);
 
-inline std::string where_boundary_fails(const Body_3& body, const Error_code status)
-{
-  if(status != ERROR_NON_MANIFOLD_BOUNDARY)
-    return "";
-  const std::vector<std::size_t> points = non_manifold_points(body);
-  return sentence(" The boundary is not a manifold at ",
-                  counted(points.size(), "vertex, the one at ", "vertices, among them the one at "),
-                  describe(to_vector(body.points[points.front()])), ".");
-}
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, Error_code status);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
+#  include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3_impl.h>
+#endif
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_NUMBERED_SURFACE_3_H
