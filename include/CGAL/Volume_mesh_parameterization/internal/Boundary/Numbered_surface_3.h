@@ -17,8 +17,6 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Boundary of a body as plain arrays: the seam between complexes of any type and maps of their boundaries, which are
-// compiled once.
 // Boundary of a body, with points of its own.
 struct Numbered_surface_3
 {
