@@ -327,8 +327,8 @@ std::string run_input(const std::uint64_t seed)
 }
 
 extern "C" const char* __asan_default_options() { return "abort_on_error=1"; }
-extern "C" __attribute__((no_profile_instrument_function)) // called before sanitizers allow to access counters of coverage
-const char* __ubsan_default_options()
+// Has no counter of coverage: it is called before sanitizers allow to access memory.
+extern "C" [[gnu::no_profile_instrument_function]] const char* __ubsan_default_options()
 { return "abort_on_error=1:print_stacktrace=1"; }
 
 int main(int argc, char* argv[]) { return run_inputs(argc, argv, run_input); }
