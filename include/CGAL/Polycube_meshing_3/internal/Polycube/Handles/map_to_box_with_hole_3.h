@@ -58,10 +58,12 @@ inline Surface_map_3 map_to_box_between_lines_3(const Unit_surface_3& surface, c
       = coordinates_of_charts(map.charts(), box.chart_of_face(), labels_of_box, coordinates_of_box);
     if(coordinates.empty())
       break;
-    const Error_code status = map.start_at(coordinates, budget);
-    const double distortion = map.distortion(); // of the harmonic map, by which cuts are compared
-    if(status == OK && map.finish(budget) == OK)
-      return { OK, map.images(), distortion };
+    if(map.start_at(coordinates, budget) == OK)
+    {
+      const double distortion = map.distortion(); // of the harmonic map, by which cuts are compared
+      if(map.finish(budget) == OK)
+        return { OK, map.images(), distortion };
+    }
     if(!give_away_faces(mesh, map.flipped_faces(), costs, labels))
       break;
   }
