@@ -316,7 +316,7 @@ std::vector<std::string> keys(const std::string& json)
 const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
   "options", "source", "target", "to", "polycube_axes", "improve", "cell_size", "tetrahedra", "features", "regions", "landmarks",
-  "merge_points", "separate", "displacements", "staircases", "others", "inside", "conditions", "initial", "boundary", "refine",
+  "tolerance", "merge_points", "separate", "displacements", "staircases", "others", "inside", "conditions", "initial", "boundary", "refine",
   "slide", "energy",
   "volume_weights", "energy_tolerance", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
@@ -905,6 +905,8 @@ TEST_CASE("A turned source has its own polycube, unless the axes are given")
   CHECK(folder.text("report.json").find("\"polycube_rotation\": [0.8") != std::string::npos);
   REQUIRE(folder.run("source.mesh --to polycube --refine=none --polycube-axes given --report report.json") == 0);
   CHECK(folder.text("report.json").find("\"polycube_rotation\": [1, 0, 0, 0, 1, 0, 0, 0, 1]") != std::string::npos);
+  CHECK(folder.run("source.mesh --to ball --tolerance 0.1") == 2);
+  CHECK(folder.text("stderr").find("--tolerance needs --to with a surface") != std::string::npos);
   CHECK(folder.run("source.mesh --to ball --polycube-axes given") == 2);
   CHECK(folder.text("stderr").find("--polycube-axes needs --to polycube") != std::string::npos);
 }

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -213,6 +214,45 @@ TEST_CASE("Limbs that few facets cover are reached by more vertices")
   CHECK(fit.largest_distance_to_surface < 1e-14);
   CHECK(fit.number_of_turned_facets == 0);
   CHECK(fit.number_of_intersections == 0);
+}
+
+TEST_CASE("Edges of a coarse boundary are split until it is as close to its target as the tolerance")
+{
+  const Surface target = ellipsoid(12, 17);
+  const VMP::Tetrahedron_soup_3 coarse = cube(2);
+  const auto fitted = [&](const double tolerance, VMP::Tetrahedron_soup_3& mesh, Points& uvw)
+  {
+    mesh = coarse;
+    return CGAL::stretch_minimizing_volume_parameterization(
+      mesh, uvw, params::boundary_parameterizer(Fit(target.points, target.triangles, {}, tolerance))
+                        .refinement_mode(VMP::Refinement_mode::BOUNDARY));
+  };
+  const auto measured = [&](const VMP::Tetrahedron_soup_3& mesh, const Points& uvw)
+  { return VMP::measure_surface_fit(uvw, mesh.cells, target.points, target.triangles); };
+  VMP::Tetrahedron_soup_3 given, refined, other;
+  Points of_given, of_refined, of_other;
+  REQUIRE(fitted(std::numeric_limits<double>::infinity(), given, of_given).status == VMP::OK);
+  const VMP::Parameterization_result result = fitted(0.1, refined, of_refined);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.boundary_residual == 0);
+  CHECK(result.number_of_added_boundary_vertices > 0);
+  CHECK(refined.points.size() == coarse.points.size() + result.number_of_added_vertices);
+  CHECK(measured(given, of_given).largest_distance_from_surface > 0.3);
+  const VMP::Surface_fit_3 fit = measured(refined, of_refined);
+  CHECK(fit.largest_distance_from_surface < 0.11); // measured up to 0.0075
+  CHECK(fit.largest_distance_to_surface < 1e-14);
+  CHECK(fit.number_of_turned_facets == 0);
+  CHECK(fit.number_of_intersections == 0);
+
+  CHECK(fitted(9, other, of_other).number_of_added_boundary_vertices == 0);
+  CHECK(of_other == of_given);
+  of_other.clear();
+  const VMP::Parameterization_result impossible = fitted(1e-9, other, of_other);
+  CHECK(impossible.status == VMP::ERROR_FIT_TOLERANCE_NOT_REACHED);
+  CHECK(impossible.message.find("larger") != std::string::npos);
+  CHECK(other.points == coarse.points);
+  CHECK(of_other.empty());
+  CHECK_THROWS_AS(fitted(0, other, of_other), CGAL::Precondition_exception);
 }
 
 TEST_CASE("A boundary is refused on a surface that intersects itself")

@@ -24,7 +24,7 @@ struct Options
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations = 0;
-  double cell_size = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
+  double cell_size = 0, tolerance = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
   bool do_improve = false, do_merge_points = false, do_separate = false, are_displacements = false, do_slide = false;
   bool use_volume_weights = false, minimize_maximum_angle_distortion = false, is_quiet = false;
 };
@@ -183,6 +183,10 @@ inline Command_line command_line(Options& options)
     ("landmarks", po::value(&options.landmarks)->value_name("FILE"),
      "a file like TARGET with lines for some vertices, for --to. A ball, or a source that is fitted to a surface, is turned to "
      "bring these vertices close to their points. A box has eight landmarks as corners, each in the octant of its point")
+    ("tolerance", po::value(&options.tolerance)->value_name("DISTANCE")
+       ->default_value(std::numeric_limits<double>::infinity(), "none"),
+     "split edges of the boundary that is fitted to a surface until vertices of the surface and midpoints of these edges are at "
+     "most this far from the other surface, in the unit of its file. With --slide, they may be farther")
     ("displacements", po::bool_switch(&options.are_displacements), "TARGET contains displacements, not positions")
     ("others", po::value(&options.others)->value_name("WAY")->default_value("missing"),
      "the treatment of boundary vertices without a target. missing: there is no map. stay: they keep their positions. slide: "
@@ -206,7 +210,7 @@ inline Command_line command_line(Options& options)
     ("refine", po::value(&options.refinement)->value_name("WHERE")->default_value("none", "none, or boundary with --to"),
      "none: add no vertices. needed: add vertices if the targets cannot be met otherwise. helpful: also in interior edges "
      "between boundary vertices if these edges make the map slow or distorted. boundary, and --refine without a value: also on "
-     "edges of the boundary if a polycube needs this. all: first in all interior edges between boundary vertices")
+     "edges of the boundary if a polycube or --tolerance needs this. all: first in all interior edges between boundary vertices")
     ("slide", po::bool_switch(&options.do_slide),
      "let vertices move in the planes, along the edges and on curved patches of the target, or on the surface of --to, for a "
      "lower distortion");

@@ -75,12 +75,13 @@ using Boundary_parameterizer = std::variant<Ball_or_box, Polycube, Surface_fit>;
 inline bool is_surface_domain(const std::string& domain) { return format_of(domain) == Mesh_format::SURFACE; }
 
 // `points` are those of the mesh, whose vertices are landmarks.
-inline Surface_fit surface_fit(const VMP::Tetrahedron_soup_3& surface, const Landmarks& landmarks, const Points& points)
+inline Surface_fit surface_fit(const VMP::Tetrahedron_soup_3& surface, const Landmarks& landmarks, const Points& points,
+                               const double tolerance)
 {
   std::vector<std::pair<std::array<double, 3>, std::array<double, 3> > > pairs;
   for(const auto& [v, p] : landmarks)
     pairs.emplace_back(points[v], p);
-  return Surface_fit(surface.points, surface.facets, pairs);
+  return Surface_fit(surface.points, surface.facets, pairs, tolerance);
 }
 
 // The lengths of the sides of a box from text such as 1,2,0.5

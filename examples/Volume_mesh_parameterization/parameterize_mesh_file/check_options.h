@@ -83,6 +83,10 @@ inline void check(const Options& options)
             && options.domain != "polycube", "--polycube-axes needs --to polycube");
   refuse_if(!options.landmarks.empty() && (options.domain.empty() || options.domain == "polycube"),
             "--landmarks needs --to ball, --to cube, --to box=X,Y,Z or --to with a surface");
+  refuse_if(!(options.tolerance > 0), "the tolerance of a fit (--tolerance) must be positive");
+  refuse_if(std::isfinite(options.tolerance) && !is_surface_domain(options.domain), "--tolerance needs --to with a surface");
+  refuse_if(std::isfinite(options.tolerance) && named_refinement(options.refinement).mode != VMP::Refinement_mode::BOUNDARY,
+            "--tolerance splits edges of the boundary, which --refine=" + options.refinement + " excludes");
   refuse_if(!options.hexahedra.empty() && (options.domain == "ball" || is_surface_domain(options.domain)),
             "hexahedra need a box or a polycube: use --to cube, --to box=X,Y,Z or --to polycube instead of " + options.domain);
   refuse_if(!options.conditions.empty()

@@ -132,7 +132,7 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
       {
         return CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(mapped.mesh, mapped.uvw,
                                                                                  sliding.boundary_parameterizer(boundary));
-      }, is_fit ? surface_fit(mapped.surface, landmarks, mapped.mesh.points)
+      }, is_fit ? surface_fit(mapped.surface, landmarks, mapped.mesh.points, options.tolerance)
                 : named_boundary_parameterizer(options.domain, polycube, landmarks));
       return is_fit && options.do_slide && result.has_valid_map ? slid_on_surface(mapped, result, np) : result;
     };

@@ -48,9 +48,9 @@ enum class Refinement_mode
   NEEDED, ///< only those without which the boundary is not reached
   /// also vertices in bridges that make the map slow or distorted; bridges are interior simplices with prescribed vertices only
   HELPFUL,
-  /// also vertices on the boundary, at edges that `boundary_parameterizer` splits; only the parameterizer for polycubes does so.
+  /// also vertices on the boundary, at edges that `boundary_parameterizer` splits: for polycubes, and for fits with a tolerance.
   /// New vertices have the surface patch or the curve of the edge. If the refined boundary has no map, the boundary as given is
-  /// mapped
+  /// mapped to its polycube
   BOUNDARY
 };
 

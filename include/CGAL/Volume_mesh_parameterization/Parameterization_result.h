@@ -27,7 +27,7 @@ The ways in which a parameterization can end.
 With `OK`, `OK_WITHIN_TOLERANCE`, `ERROR_NOT_CONVERGED`, `ERROR_ANGLE_BOUND_NOT_REACHED` and `ERROR_BOUNDARY_NOT_REACHED`, there
 is a map without inverted cells. With `ERROR_INTERRUPTED` and `ERROR_LINEAR_SOLVER_FAILED`, there may be one:
 `Parameterization_result::has_valid_map` reports it. With the other values, there is none. The values from
-`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_BOUNDARY_NOT_FITTED` come from models of `BoundaryParameterizer_3`. The last six are
+`ERROR_NON_MANIFOLD_BOUNDARY` to `ERROR_FIT_TOLERANCE_NOT_REACHED` come from models of `BoundaryParameterizer_3`. The last six are
 codes of the package \ref Chapter_Polycube_Meshing_3 "Polycube Meshing". They are in this list because the call for a map returns
 the status of its boundary parameterizer. Hexahedra also share the codes for bad input.
 */
@@ -61,6 +61,7 @@ enum Error_code
   ERROR_INVALID_LANDMARK,            ///< a landmark of a ball is no vertex of the boundary, or its point is not finite
   ERROR_TARGET_NOT_A_SPHERE,         ///< the surface to fit to is not closed, not a manifold, not connected or has handles
   ERROR_BOUNDARY_NOT_FITTED,         ///< on the surface to fit to, facets of the boundary are turned over or intersect others
+  ERROR_FIT_TOLERANCE_NOT_REACHED,   ///< the boundary would need too many vertices to be as close to the surface to fit to
   // codes of the package Polycube_meshing_3
   ERROR_NO_POLYCUBE,                 ///< no polycube was found, or none with the labels given
   ERROR_SPACING_TOO_COARSE,          ///< the faces of a polycube cannot have different multiples of the spacing
@@ -126,6 +127,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_BOUNDARY_NOT_FITTED:
       return "On the target surface, facets of the boundary would be turned over or intersect each other. Thin limbs are "
              "the usual cause: compose maps of both bodies to a ball instead, as the example body_to_body.cpp does.";
+    case ERROR_FIT_TOLERANCE_NOT_REACHED:
+      return "The boundary would need too many vertices to be as close to the target surface as the tolerance. Use a larger one.";
     case ERROR_NO_POLYCUBE:
       return "No polycube was found for the boundary, or for the given labels of its facets.";
     case ERROR_SPACING_TOO_COARSE:

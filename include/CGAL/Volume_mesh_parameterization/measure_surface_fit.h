@@ -15,7 +15,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/turned_facets_3.h>
 
 #include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 namespace CGAL::Volume_mesh_parameterization {
 
@@ -79,12 +78,10 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
     const internal::Vector_3 q = internal::to_vector(surface.nearest_point(internal::coordinates(p)).point);
     result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
   }
-  result.number_of_turned_facets = internal::number_of_turned_facets(image, surface);
+  result.number_of_turned_facets = internal::turned_facets(image, surface).size();
   result.largest_distance_from_surface = Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(
     mesh_of_target, image, 1e-3 * internal::bounding_box(target.points).diagonal().norm());
-  std::vector<std::pair<internal::Boundary_mesh_3::Face_index, internal::Boundary_mesh_3::Face_index> > pairs;
-  Polygon_mesh_processing::self_intersections(image, std::back_inserter(pairs));
-  result.number_of_intersections = pairs.size();
+  result.number_of_intersections = internal::intersecting_facets(image).size();
   return result;
 }
 

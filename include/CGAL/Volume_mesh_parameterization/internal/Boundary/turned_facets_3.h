@@ -15,10 +15,15 @@
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+
+#include <iterator>
+#include <utility>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Counts the facets whose normals are opposite to those of a surface at the nearest points of their vertices and center.
-inline std::size_t number_of_turned_facets(const Boundary_mesh_3& mesh, const Triangulated_surface_3& surface)
+// Returns the facets whose normals are opposite to those of a surface at the nearest points of their vertices and center.
+inline std::vector<Boundary_mesh_3::Face_index> turned_facets(const Boundary_mesh_3& mesh, const Triangulated_surface_3& surface)
 {
   const auto is_turned = [&](const Boundary_mesh_3::Face_index f)
   {
@@ -29,7 +34,18 @@ inline std::size_t number_of_turned_facets(const Boundary_mesh_3& mesh, const Tr
     return std::all_of(points.begin(), points.end(), [&](const Vector_3& x)
     { return normal.dot(to_vector(surface.nearest_point(coordinates(x)).direction)) <= 0; });
   };
-  return static_cast<std::size_t>(std::count_if(mesh.faces().begin(), mesh.faces().end(), is_turned));
+  std::vector<Boundary_mesh_3::Face_index> result;
+  std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(result), is_turned);
+  return result;
+}
+
+// Returns the pairs of facets that intersect each other.
+inline std::vector<std::pair<Boundary_mesh_3::Face_index, Boundary_mesh_3::Face_index> >
+intersecting_facets(const Boundary_mesh_3& mesh)
+{
+  std::vector<std::pair<Boundary_mesh_3::Face_index, Boundary_mesh_3::Face_index> > result;
+  Polygon_mesh_processing::self_intersections(mesh, std::back_inserter(result));
+  return result;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -13,8 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
-
-#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/split_edge_3.h>
 
 #include <algorithm>
 #include <numeric>
@@ -32,24 +31,16 @@ inline std::vector<std::size_t> split_edges_3(std::vector<Boundary_mesh_3::Edge_
   std::iota(parents.begin(), parents.end(), std::size_t(0));
   for(const auto e : edges)
   {
-    const auto h = mesh.halfedge(e);
-    const auto v = mesh.source(h), w = mesh.target(h);
-    surface.splits.push_back({ v, w });
-    const auto half = CGAL::Euler::split_edge(h, mesh); // from v to the midpoint
-    mesh.point(mesh.target(half)) = exact_point((to_vector(mesh.point(v)) + to_vector(mesh.point(w))) / 2);
+    for(const auto h : { mesh.halfedge(e), mesh.opposite(mesh.halfedge(e)) })
+      parents.push_back(parents[mesh.face(h)]);
     surface.is_sharp.push_back(surface.is_sharp[e]);
-    for(const auto g : { half, mesh.opposite(h) }) // both end at the midpoint
-    {
-      parents.push_back(parents[mesh.face(g)]);
-      CGAL::Euler::split_face(g, mesh.next(mesh.next(g)), mesh);
-      surface.is_sharp.push_back(false);
-    }
+    surface.is_sharp.insert(surface.is_sharp.end(), 2, false); // edges that divide the facets
+    surface.splits.push_back(split_edge_3(mesh, e));
   }
   return parents;
 }
 
-// Splits edges that are longer than is allowed at their midpoints, and their halves, until there are none. No facet is split
-// unless its longest edge is, which keeps its angles from becoming ever smaller.
+// Splits edges that are longer than is allowed at their midpoints, and their halves, until there are none.
 template <typename Length>
 void split_long_edges_3(const Length& maximum_length_at, Unit_surface_3& surface)
 {
@@ -58,32 +49,17 @@ void split_long_edges_3(const Length& maximum_length_at, Unit_surface_3& surface
   {
     std::vector<double> lengths;
     std::vector<Boundary_mesh_3::Edge_index> edges;
-    std::vector<bool> is_among(mesh.number_of_edges(), false);
-    const auto add = [&](const auto e)
-    {
-      if(is_among[e])
-        return;
-      is_among[e] = true;
-      edges.push_back(e);
-    };
     for(const auto e : mesh.edges())
     {
       const auto h = mesh.halfedge(e);
       const Vector_3 p = to_vector(mesh.point(mesh.source(h))), q = to_vector(mesh.point(mesh.target(h)));
       lengths.push_back((p - q).norm());
       if(lengths.back() > maximum_length_at((p + q) / 2))
-        add(e);
+        edges.push_back(e);
     }
-    for(std::size_t i = 0; i < edges.size(); ++i) // also those that are added here
-      for(const auto h : { mesh.halfedge(edges[i]), mesh.opposite(mesh.halfedge(edges[i])) })
-      {
-        const std::array<Boundary_mesh_3::Edge_index, 3> around
-          = { mesh.edge(h), mesh.edge(mesh.next(h)), mesh.edge(mesh.prev(h)) };
-        add(*std::max_element(around.begin(), around.end(), [&](const auto e, const auto f) { return lengths[e] < lengths[f]; }));
-      }
     if(edges.empty())
       return;
-    split_edges_3(std::move(edges), surface);
+    split_edges_3(with_longest_edges(mesh, edges, lengths), surface);
   }
 }
 

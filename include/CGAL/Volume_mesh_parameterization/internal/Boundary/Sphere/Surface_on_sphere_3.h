@@ -65,11 +65,16 @@ public:
   }
 
   // The predicates of the tree are exact, and a ray from inside the polyhedron meets it.
-  Surface_position_3 position_in_direction(const Vector_3& d) const
+  std::size_t facet_in_direction(const Vector_3& d) const
   {
     const auto primitive = m_tree_in_sphere.any_intersected_primitive(Kernel::Ray_3(kernel_point({ 0, 0, 0 }), kernel_point(d)));
-    const Facet& facet = m_surface.facets[static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin())];
-    return position(facet, m_directions, [&](const Vector_3& a, const Vector_3& b) { return a.cross(b).dot(d); });
+    return static_cast<std::size_t>(*primitive - m_triangles_in_sphere.cbegin());
+  }
+
+  Surface_position_3 position_in_direction(const Vector_3& d) const
+  {
+    return position(m_surface.facets[facet_in_direction(d)], m_directions,
+                    [&](const Vector_3& a, const Vector_3& b) { return a.cross(b).dot(d); });
   }
 
 private:

@@ -133,6 +133,56 @@ private:
   std::vector<Surface_position_3> m_positions;
 };
 
+// A triangulated sphere, mapped one to one to the unit sphere.
+struct Surface_in_sphere_3
+{
+  const Numbered_surface_3* surface;
+  const Vertex_rings_3* rings;
+  std::vector<Vector_3> directions;
+};
+
+// Two surfaces in one sphere. There, each vertex of one surface is in a triangle of the other one, which is its image.
+struct Surface_pair_3
+{
+  Surface_in_sphere_3 surface, target;
+  std::vector<Vector_3> images = {}; // of the vertices of `surface`
+  double distortion = 0; // of the images
+
+  // Moves the vertices of the surface on the target.
+  void relax(const int number_of_sweeps, const double epsilon, const Budget& budget)
+  {
+    const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
+    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon);
+    map.relax(number_of_sweeps, budget);
+    distortion = map.distortion();
+    images.clear();
+    surface.directions.clear();
+    for(const Surface_position_3& position : map.positions())
+    {
+      images.push_back(position.point);
+      surface.directions.push_back(position.direction);
+    }
+  }
+
+  // Moves the vertices of a fitted surface such that the distortion becomes nearly the true one.
+  void sharpen(const Budget& budget)
+  {
+    constexpr int number_of_sweeps = 15; // a guess
+    constexpr double sharp = 0.01;       // a guess for e
+    relax(number_of_sweeps, sharp, budget);
+  }
+
+  // Moves the vertices of each surface on the other one. Where a few triangles of the surface cover a limb of the target, only the
+  // triangles of the limb are distorted: their vertices spread out, such that more vertices of the surface get there.
+  void relax_both(const int number_of_sweeps, const double epsilon, const Budget& budget)
+  {
+    Surface_pair_3 inverse = { target, surface };
+    inverse.relax(number_of_sweeps, epsilon, budget);
+    target = inverse.surface;
+    relax(number_of_sweeps, epsilon, budget);
+  }
+};
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_BOUNDARY_SPHERE_SURFACE_RELAXATION_3_H

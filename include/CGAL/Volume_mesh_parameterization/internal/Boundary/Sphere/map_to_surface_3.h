@@ -12,11 +12,8 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_relaxation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Split_fit_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/turned_facets_3.h>
-
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -105,48 +102,6 @@ inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector
     pair.*side = pair.*side / size;
 }
 
-// A triangulated sphere, mapped one to one to the unit sphere.
-struct Surface_in_sphere_3
-{
-  const Numbered_surface_3* surface;
-  const Vertex_rings_3* rings;
-  std::vector<Vector_3> directions;
-};
-
-// Two surfaces in one sphere. There, each vertex of one surface is in a triangle of the other one, which is its image.
-struct Surface_pair_3
-{
-  Surface_in_sphere_3 surface, target;
-  std::vector<Vector_3> images = {}; // of the vertices of `surface`
-  double distortion = 0; // of the images
-
-  // Moves the vertices of the surface on the target.
-  void relax(const int number_of_sweeps, const double epsilon, const Budget& budget)
-  {
-    const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
-    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon);
-    map.relax(number_of_sweeps, budget);
-    distortion = map.distortion();
-    images.clear();
-    surface.directions.clear();
-    for(const Surface_position_3& position : map.positions())
-    {
-      images.push_back(position.point);
-      surface.directions.push_back(position.direction);
-    }
-  }
-
-  // Moves the vertices of each surface on the other one. Where a few triangles of the surface cover a limb of the target, only the
-  // triangles of the limb are distorted: their vertices spread out, such that more vertices of the surface get there.
-  void relax_both(const int number_of_sweeps, const double epsilon, const Budget& budget)
-  {
-    Surface_pair_3 inverse = { target, surface };
-    inverse.relax(number_of_sweeps, epsilon, budget);
-    target = inverse.surface;
-    relax(number_of_sweeps, epsilon, budget);
-  }
-};
-
 // Returns the ways in which landmarks or axes turn the surface of a pair, those with less distortion first.
 inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks, const double epsilon,
                                                 const Budget& budget)
@@ -166,29 +121,37 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
 
 // Moves vertices until the images are fitted, and remain so with less smoothing. Returns no images if they are never fitted.
 template <typename IsFitted>
-std::vector<Vector_3> fitted_images(Surface_pair_3 pair, const double smooth, const IsFitted& is_fitted, const Budget& budget)
+Surface_pair_3 fitted_pair(Surface_pair_3 pair, const double smooth, const IsFitted& is_fitted, const Budget& budget)
 {
-  constexpr int number_of_rounds = 40, sweeps_of_round = 3, last_sweeps = 15; // guesses
-  constexpr double sharp = 0.01; // a guess for e
-  std::vector<Vector_3> result;
+  constexpr int number_of_rounds = 40, sweeps_of_round = 3; // guesses
+  Surface_pair_3 result = { pair.surface, pair.target };
   for(int round = 0; round <= number_of_rounds && !budget.is_exhausted(); ++round)
   {
     if(round > 0)
       pair.relax_both(sweeps_of_round, smooth, budget);
-    if(!is_fitted(pair.images))
+    if(!is_fitted(pair))
       continue;
-    result = pair.images;
+    result = pair;
     Surface_pair_3 relaxed = pair;
-    relaxed.relax(last_sweeps, sharp, budget);
-    if(is_fitted(relaxed.images))
-      return relaxed.images;
+    relaxed.sharpen(budget);
+    if(is_fitted(relaxed))
+      return relaxed;
   }
   return result;
 }
 
-// Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over.
+// Images of the vertices of a surface on another one, after edges of the surface are split one after the other. New vertices come
+// behind all others.
+struct Fitted_surface_3
+{
+  std::vector<Vector_3> images = {};
+  std::vector<std::array<std::size_t, 2> > splits = {};
+};
+
+// Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over. Splits edges where the
+// images are farther than a tolerance from the target.
 inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_3 target, Point_pairs_3 landmarks,
-                                   std::vector<Vector_3>& images, const Budget& budget)
+                                   const double tolerance, Fitted_surface_3& result, const Budget& budget)
 {
   if(!std::all_of(landmarks.begin(), landmarks.end(), [](const auto& pair) { return (pair.first + pair.second).allFinite(); }))
     return ERROR_INVALID_LANDMARK;
@@ -211,21 +174,24 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   build_boundary_mesh_3(target, mesh_of_target);
   const Vertex_rings_3 rings(mesh), rings_of_target(mesh_of_target);
   const Triangulated_surface_3 triangulated(arrays_of(target.points), target.facets);
-  const auto is_fitted = [&](const std::vector<Vector_3>& candidates)
+  const auto is_fitted = [&](const Surface_pair_3& pair)
   {
-    set_points(mesh, candidates);
-    return number_of_turned_facets(mesh, triangulated) == 0 && !Polygon_mesh_processing::does_self_intersect(mesh);
+    set_points(mesh, pair.images);
+    return turned_facets(mesh, triangulated).empty() && !Polygon_mesh_processing::does_self_intersect(mesh);
   };
   constexpr double smooth = 0.1; // a guess for e
   const Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
   for(const Surface_pair_3& turned : turned_pairs(pair, landmarks, smooth, budget))
-  {
-    images = fitted_images(turned, smooth, is_fitted, budget);
-    for(Vector_3& p : images)
-      p = p * size;
-    if(!images.empty())
+    if(const Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
+    {
+      Split_fit_3 fit(fitted, mesh, triangulated);
+      if(std::isfinite(tolerance) && !fit.split(tolerance / size, budget))
+        return ERROR_FIT_TOLERANCE_NOT_REACHED;
+      for(const Vector_3& p : fit.images())
+        result.images.push_back(size * p);
+      result.splits = fit.splits();
       return OK;
-  }
+    }
   return ERROR_BOUNDARY_NOT_FITTED;
 }
 
