@@ -24,6 +24,7 @@
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -41,6 +42,7 @@ struct Mapped_mesh
   Points initial;       // images to start from, or none
   PM::Polycube_result polycube = {};
   VMP::Tetrahedron_soup_3 surface = {}; // that the mesh is fitted to; has no facets for other targets
+  std::optional<VMP::Surface_fit_3> surface_fit = {}; // of a map that has slid there
   Points uvw = {};
   Result result = {};
 };
@@ -89,6 +91,7 @@ Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedPar
     return result;
   }
   mapped.uvw = std::move(uvw);
+  mapped.surface_fit = fit;
   result.number_of_added_vertices = fitted.number_of_added_vertices;
   result.number_of_added_boundary_vertices = fitted.number_of_added_boundary_vertices;
   result.seconds_boundary = fitted.seconds_boundary;

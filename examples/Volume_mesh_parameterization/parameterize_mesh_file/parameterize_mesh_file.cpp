@@ -196,7 +196,8 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
-  if(!mapped.surface.facets.empty())
+  outcome.surface_fit = mapped.surface_fit;
+  if(!mapped.surface.facets.empty() && !outcome.surface_fit)
     outcome.surface_fit = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets);
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
