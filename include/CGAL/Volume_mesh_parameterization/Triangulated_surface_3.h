@@ -59,7 +59,8 @@ public:
   /// returns what a vertex at a point of the surface, given by its index, may do if it is to keep to its patch or curve.
   const Vertex_condition_3& condition(const std::size_t point) const { return m_conditions[point]; }
 
-  /// returns the nearest point of the surface, with the normal of its triangle.
+  /// returns the nearest point of the surface, with the normal of its triangle, or the sum of the unit normals of all triangles
+  /// there. Therefore, the normal depends on the point only.
   Surface_point_3 nearest_point(const std::array<double, 3>& p) const { return m_surface.front().nearest_point(p); }
 
 private:

@@ -184,6 +184,11 @@ TEST_CASE("Points are put back to the nearest point of a triangulated surface")
     if(std::abs(q[2]) > 1 - 1e-9 && q.head<2>().norm() < 0.9) // the coordinate of floor and top is exact
       CHECK(std::abs(q[2]) == 1);
   }
+  for(int i = 0; i < 1000; ++i) // many are put back to edges, where rounding chooses a triangle
+  {
+    const VMP::Surface_point_3 near = surface.nearest_point(point(3 * random_point(engine)));
+    CHECK(surface.nearest_point(near.point).direction == near.direction);
+  }
   CHECK_THROWS_AS(VMP::Triangulated_surface_3(soup.points, { { 0, 1, soup.points.size() } }), VMP::Input_error);
   CHECK_THROWS_AS(VMP::Triangulated_surface_3(soup.points, { { 0, 1, 1 } }), VMP::Input_error);
 }
@@ -364,14 +369,15 @@ TEST_CASE("Facets are spoilt that turn over against a surface or intersect each 
   std::fill_n(conditions.begin(), 4, Condition::on_surface(VMP::Implicit_surface_3(Sphere())));
   const VMP::internal::Unknowns_3 on_sphere(conditions);
 
+  const Matrix3Xd& normals = apart; // of the sphere
   const Embedded_boundary_3 boundary(mesh, on_sphere, apart);
-  CHECK(boundary.spoilt_facets(apart).empty());
-  CHECK(boundary.spoilt_facets(turned).size() == 4);
-  CHECK(Embedded_boundary_3(mesh, on_sphere, turned).spoilt_facets(turned).empty());
-  CHECK(Embedded_boundary_3(mesh, free, apart).spoilt_facets(turned).empty());
-  CHECK(boundary.spoilt_facets(through).size() > 2);
-  CHECK(boundary.spoilt_facets(through, 1).size() == 2); // one pair
-  CHECK(Embedded_boundary_3(mesh, free, through).spoilt_facets(through).empty());
+  CHECK(boundary.spoilt_facets(apart, normals).empty());
+  CHECK(boundary.spoilt_facets(turned, -normals).size() == 4);
+  CHECK(Embedded_boundary_3(mesh, on_sphere, turned).spoilt_facets(turned, -normals).empty());
+  CHECK(Embedded_boundary_3(mesh, free, apart).spoilt_facets(turned, -normals).empty());
+  CHECK(boundary.spoilt_facets(through, normals).size() > 2);
+  CHECK(boundary.spoilt_facets(through, normals, 1).size() == 2); // one pair
+  CHECK(Embedded_boundary_3(mesh, free, through).spoilt_facets(through, normals).empty());
 }
 
 } } // namespace of_surfaces

@@ -25,14 +25,16 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Returns the facets whose normals are opposite to those of a surface at the nearest points of their vertices and center.
 inline std::vector<Boundary_mesh_3::Face_index> turned_facets(const Boundary_mesh_3& mesh, const Triangulated_surface_3& surface)
 {
+  const auto normal = [&](const Vector_3& p) { return to_vector(surface.nearest_point(coordinates(p)).direction); };
   const auto is_turned = [&](const Boundary_mesh_3::Face_index f)
   {
     const auto [a, b, c] = vertices_of_face(mesh, f);
-    const Vector_3 p = to_vector(mesh.point(a)), q = to_vector(mesh.point(b)), r = to_vector(mesh.point(c)),
-                   center = (p + q + r) / 3, normal = (q - p).cross(r - p);
-    const auto points = { p, q, r, center };
-    return std::all_of(points.begin(), points.end(), [&](const Vector_3& x)
-    { return normal.dot(to_vector(surface.nearest_point(coordinates(x)).direction)) <= 0; });
+    const Vector_3 p = to_vector(mesh.point(a)), q = to_vector(mesh.point(b)), r = to_vector(mesh.point(c));
+    return is_turned_3({ p, q, r }, { normal(p), normal(q), normal(r) }, [&](const Vector_3& center)
+    {
+      const Vector_3 n = normal(center);
+      return Matrix_3(n, n, n);
+    });
   };
   std::vector<Boundary_mesh_3::Face_index> result;
   std::copy_if(mesh.faces().begin(), mesh.faces().end(), std::back_inserter(result), is_turned);

@@ -37,16 +37,23 @@ inline Vector_3 allowed_point_3(const Vertex_condition_3& condition, const Vecto
   return result;
 }
 
-// Returns the positions with the prescribed vertices on their targets, or at the nearest points at which they may be.
+// Returns a distance below which a vertex is where it may be.
+inline double rounding_of_targets(const Numbered_mesh_3& mesh) { return 1e-14 * mesh.target.cwiseAbs().maxCoeff(); }
+
+// Returns the positions with the prescribed vertices on their targets, or at the nearest points at which they may be. Vertices on
+// surfaces keep each digit, as steps judge facets at these positions, and a facet next to edges of a surface may depend on it.
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
 {
   const int n = mesh.number_of_prescribed_vertices();
   if(conditions.empty())
     positions.rightCols(n) = mesh.target.rightCols(n);
+  const double rounding = rounding_of_targets(mesh);
   for(std::size_t i = 0; i < conditions.size(); ++i)
   {
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
-    positions.col(v) = allowed_point_3(conditions[i], positions.col(v), mesh.target.col(v));
+    const Vector_3 p = positions.col(v), q = allowed_point_3(conditions[i], p, mesh.target.col(v));
+    if(!conditions[i].is_sliding() || !(length_3(q - p) <= rounding))
+      positions.col(v) = q;
   }
   return positions;
 }
@@ -61,7 +68,7 @@ inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& 
   const int n = mesh.number_of_prescribed_vertices();
   if(conditions.empty())
     return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
-  const double rounding = 1e-14 * mesh.target.cwiseAbs().maxCoeff();
+  const double rounding = rounding_of_targets(mesh);
   double result = 0;
   for(int i = 0; i < n; ++i)
   {

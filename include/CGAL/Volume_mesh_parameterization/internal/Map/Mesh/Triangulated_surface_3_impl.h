@@ -83,11 +83,42 @@ public:
       box.extend(to_vector(simplex[i]));
     // a coordinate that all vertices have is met to the bit
     const Vector_3 nearest = internal::nearest_point(simplex, q_scaled).cwiseMax(box.smallest).cwiseMin(box.largest);
-    const Vector_3 q = scaled(nearest, m_exponent), d = direction_of(simplex);
-    return { { q[0], q[1], q[2] }, { d[0], d[1], d[2] } };
+    const bool is_on_simplex = (nearest - q_scaled).cwiseAbs().maxCoeff() <= rounding;
+    return { coordinates(scaled(nearest, m_exponent)), coordinates(direction_at(is_on_simplex ? q_scaled : nearest, simplex)) };
   }
 
 private:
+  static constexpr double rounding = 1e-14; // a guess; far above errors of coordinates below 2
+
+  // A traversal of the tree that adds the unit normals of all triangles at a point.
+  struct Sum_of_normals
+  {
+    const Vector_3& p;
+    Vector_3 sum = Vector_3::Zero();
+
+    bool go_further() const { return true; }
+
+    template <typename Node>
+    bool do_intersect(const Bbox_3& box, const Node& node) const { return CGAL::do_overlap(box, node.bbox()); }
+
+    void intersection(const Bbox_3&, const typename Tree::Primitive& triangle)
+    {
+      if((internal::nearest_point(*triangle.id(), p) - p).cwiseAbs().maxCoeff() <= rounding)
+        sum += unit_vector_3(direction_of(*triangle.id()));
+    }
+  };
+
+  // Returns the tangent of a segment, or the sum of the unit normals of all triangles at a point: rounding decides which of them
+  // is found to be the nearest.
+  Vector_3 direction_at(const Vector_3& p, const Simplex& nearest) const
+  {
+    Sum_of_normals normals{ p };
+    if(simplex_size == 3)
+      m_tree->traversal(Bbox_3(p[0] - rounding, p[1] - rounding, p[2] - rounding,
+                               p[0] + rounding, p[1] + rounding, p[2] + rounding), normals);
+    return normals.sum.norm() > rounding ? normals.sum : direction_of(nearest);
+  }
+
   static constexpr int simplex_size = std::is_same_v<Simplex, AABB_trees_3::Kernel::Segment_3> ? 2 : 3;
 
   std::shared_ptr<const std::vector<Simplex> > m_simplices;

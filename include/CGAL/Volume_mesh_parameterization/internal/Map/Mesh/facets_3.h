@@ -77,6 +77,20 @@ std::vector<std::array<Vertex, 3> > boundary_facets_3(const std::vector<std::arr
   return result;
 }
 
+// Returns whether the normal of a facet is opposite to those of surfaces at its vertices, and to those that `normals_at(center)`
+// returns next to its center. Normals that are 0 do not count.
+template <typename NormalsAt>
+bool is_turned_3(const Matrix_3& points, const Matrix_3& normals, const NormalsAt& normals_at)
+{
+  const Vector_3 p = points.col(0), q = points.col(1), r = points.col(2), normal = (q - p).cross(r - p);
+  const auto is_opposite = [&](const Matrix_3& n)
+  {
+    const Vector_3 products(normal.dot(n.col(0)), normal.dot(n.col(1)), normal.dot(n.col(2)));
+    return products.maxCoeff() <= 0 && products.minCoeff() < 0;
+  };
+  return is_opposite(normals) && is_opposite(normals_at((p + q + r) / 3));
+}
+
 using Facet_edges_3 = std::array<Vector_3, 2>;
 
 // Two edges of a facet, and its area by these; `position(v)` is that of a vertex.

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/Vertex_condition_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/Vector_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <algorithm>
 #include <vector>
@@ -52,15 +52,18 @@ inline Matrix_3 projector_3(const Vertex_condition_3& condition)
   }
 }
 
-// Returns the point to which a vertex is put back on its surface or curve, and the projector onto the directions in which it may
-// move from there.
-inline std::pair<Vector_3, Matrix_3> put_on_surface_3(const Vertex_condition_3& condition, const Vector_3& p)
+// Returns the projector for a vertex that slides, where the unit normal of its surface or the tangent of its curve is known.
+inline Matrix_3 projector_3(const Vertex_condition_3& condition, const Vector_3& direction)
+{
+  const Matrix_3 along = Matrix_3::outer_product(direction, direction);
+  return condition.kind() == Vertex_condition_3::ON_CURVE ? along : Matrix_3::Identity() - along;
+}
+
+// Returns the point to which a vertex is put back on its surface or curve, and the unit normal or tangent there.
+inline std::pair<Vector_3, Vector_3> put_on_surface_3(const Vertex_condition_3& condition, const Vector_3& p)
 {
   const auto [point, direction] = condition.surface().nearest_point({ p[0], p[1], p[2] });
-  const Vector_3 n = unit_vector_3({ direction[0], direction[1], direction[2] });
-  const Matrix_3 along = Matrix_3::outer_product(n, n);
-  return { Vector_3(point[0], point[1], point[2]),
-           condition.kind() == Vertex_condition_3::ON_CURVE ? along : Matrix_3::Identity() - along };
+  return { to_vector(point), unit_vector_3(to_vector(direction)) };
 }
 
 // Returns whether the conditions keep all these vertices in one plane, wherever they move, and not each at its target. A plane

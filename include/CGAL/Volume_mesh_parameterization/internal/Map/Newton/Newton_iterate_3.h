@@ -23,7 +23,7 @@ struct Line_search_step_3
   double length = 0;            // 0 if no step was acceptable
   Matrix3Xd positions = {}; // after the step, if there is one
   Energy_evaluation evaluation = {};
-  std::vector<Matrix_3> projectors = {}; // of the unknowns at the positions
+  Matrix3Xd normals = {}; // of surfaces, and tangents of curves, at the positions
 };
 
 // Where Newton's method stands, and the step that has led there.
@@ -33,7 +33,7 @@ struct Newton_iterate_3
   Matrix3Xd u = {};
   Energy_evaluation evaluation = {}; // of the energy that is minimized
   double energy_of_other_cells = 0; // that no unknown vertex belongs to
-  std::vector<Matrix_3> projectors = {}; // of the unknowns, after a step
+  Matrix3Xd normals = {};        // of surfaces, and tangents of curves, after a step
   Newton_direction_3 direction = {};
   double step_length = 0;
 
@@ -54,7 +54,7 @@ struct Newton_iterate_3
       return false;
     u = std::move(step.positions);
     evaluation = step.evaluation;
-    projectors = std::move(step.projectors);
+    normals = std::move(step.normals);
     return true;
   }
 };

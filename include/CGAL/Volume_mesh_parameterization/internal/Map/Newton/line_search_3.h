@@ -29,13 +29,13 @@ inline Line_search_step_3 line_search_3(const Newton_system_3& system, const Cel
   const double smallest_length = is_energy_alone ? 1e-12 : 1e-3 * first_length;
   for(double length = first_length; length > smallest_length; length /= 2)
   {
-    auto [trial, projectors] = system.moved(iterate.u, length, iterate.direction.vectors);
+    auto [trial, normals] = system.moved(iterate.u, length, iterate.direction.vectors);
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if((!must_be_flip_free || evaluation.is_flip_free())
        && evaluation.energy <= iterate.evaluation.energy + sufficient_decrease * length * iterate.direction.slope
        && (std::isinf(gradient_bound) || system.gradient(energy, trial).norm() < gradient_bound)
-       && system.is_boundary_embedded(trial))
-      return { length, std::move(trial), evaluation, std::move(projectors) };
+       && system.is_boundary_embedded(trial, normals))
+      return { length, std::move(trial), evaluation, std::move(normals) };
   }
   return {};
 }
@@ -58,12 +58,12 @@ inline Line_search_step_3 extrapolated(const Newton_system_3& system, const Cell
   while(true)
   {
     const Matrix3Xd doubled = 2 * step.length * iterate.direction.vectors;
-    auto [trial, projectors] = system.moved(iterate.u, 1, doubled);
+    auto [trial, normals] = system.moved(iterate.u, 1, doubled);
     const Energy_evaluation evaluation = system.evaluate(energy, trial);
     if(!evaluation.is_flip_free() || !(evaluation.energy < step.evaluation.energy)
-       || system.largest_step(iterate.u, doubled) < 1 || !system.is_boundary_embedded(trial))
+       || system.largest_step(iterate.u, doubled) < 1 || !system.is_boundary_embedded(trial, normals))
       return step;
-    step = { 2 * step.length, std::move(trial), evaluation, std::move(projectors) };
+    step = { 2 * step.length, std::move(trial), evaluation, std::move(normals) };
   }
 }
 

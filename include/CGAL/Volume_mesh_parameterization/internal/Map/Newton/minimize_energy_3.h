@@ -94,7 +94,7 @@ private:
       = m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance(), budget),
                        [this] { return far_line_search_3(m_system, m_energy, m_iterate); });
     if(has_moved)
-      m_system.set_projectors(m_iterate.projectors);
+      m_system.set_normals(m_iterate.normals);
     return has_moved;
   }
 

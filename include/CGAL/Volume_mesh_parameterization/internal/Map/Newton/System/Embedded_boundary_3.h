@@ -26,21 +26,21 @@ public:
   using Facet = std::array<int, 3>;
 
   Embedded_boundary_3(const Numbered_mesh_3& mesh, const Unknowns_3& unknowns, const Matrix3Xd& positions)
-    : m_unknowns(unknowns), m_is_parallel(mesh.is_parallel), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
+    : m_unknowns(unknowns), m_facets(boundary_facets_3(mesh.cells, mesh.is_parallel)),
       m_does_intersect(!Self_intersection_3(positions, m_facets).find(Budget(), 1).empty())
   {
-    const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
+    Matrix3Xd on_surfaces = positions;
+    const Matrix3Xd normals = m_unknowns.put_on_surfaces(on_surfaces, 1, mesh.is_parallel);
     for(const Facet& facet : m_facets)
       m_signs.push_back(is_turned(facet, 1, positions, normals) ? -1 : 1);
   }
 
-  // Returns the facets that show another side of their surfaces than at the start, or begin to intersect each other. The search
-  // may end when there are enough of them.
-  std::vector<Facet> spoilt_facets(const Matrix3Xd& positions,
+  // Returns the facets that show another side of their surfaces, with these normals, than at the start, or begin to intersect each
+  // other. The search may end when there are enough of them.
+  std::vector<Facet> spoilt_facets(const Matrix3Xd& positions, const Matrix3Xd& normals,
                                    const std::size_t enough = (std::numeric_limits<std::size_t>::max)()) const
   {
     std::vector<Facet> result;
-    const Matrix3Xd normals = m_unknowns.normals_of_surfaces(positions, m_is_parallel);
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       if(is_turned(m_facets[f], m_signs[f], positions, normals))
         result.push_back(m_facets[f]);
@@ -51,19 +51,21 @@ public:
   }
 
 private:
-  // Is the normal of a facet, multiplied by a sign, opposite to those of the surfaces at its vertices and next to its center?
+  // Is a facet turned over, if the normals of surfaces are multiplied by a sign?
   bool is_turned(const Facet& facet, const double sign, const Matrix3Xd& positions, const Matrix3Xd& normals) const
   {
-    const auto& [a, b, c] = facet;
-    const Vector_3 p = positions.col(a), q = positions.col(b), r = positions.col(c), normal = sign * (q - p).cross(r - p),
-                   products = { normal.dot(normals.col(a)), normal.dot(normals.col(b)), normal.dot(normals.col(c)) };
-    return products.maxCoeff() <= 0 && products.minCoeff() < 0
-           && std::all_of(facet.begin(), facet.end(), [&](const int v)
-              { return normal.dot(m_unknowns.normal_of_surface(v, (p + q + r) / 3)) <= 0; });
+    const auto of_vertices = [&](const auto& f) { return Matrix_3(f(facet[0]), f(facet[1]), f(facet[2])); };
+    const auto normal = [&](const int v, const auto& f) { return m_unknowns.is_on_surface(v) ? sign * f(v) : Vector_3::Zero(); };
+    const auto column_of = [](const Matrix3Xd& columns) { return [&](const int v) { return Vector_3(columns.col(v)); }; };
+    return is_turned_3(of_vertices(column_of(positions)), of_vertices([&](const int v) { return normal(v, column_of(normals)); }),
+                       [&](const Vector_3& center)
+    {
+      const auto at_center = [&](const int v) { return m_unknowns.put_on_surface(v, center).second; };
+      return of_vertices([&](const int v) { return normal(v, at_center); });
+    });
   }
 
   const Unknowns_3& m_unknowns;
-  bool m_is_parallel;
   std::vector<Facet> m_facets;
   bool m_does_intersect; // at the start
   std::vector<double> m_signs; // -1 for facets that are turned at the start, 1 for all others

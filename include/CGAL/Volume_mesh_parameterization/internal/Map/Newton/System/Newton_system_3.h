@@ -67,27 +67,27 @@ public:
     m_references = references;
   }
 
-  // Returns positions after a step along directions, with vertices put back on their surfaces, and the projectors there.
-  std::pair<Positions, std::vector<Matrix_3> > moved(const Positions& u, const double length, const Positions& d) const
+  // Returns positions after a step, with vertices put back on their surfaces, and their unit normals there.
+  std::pair<Positions, Positions> moved(const Positions& u, const double length, const Positions& d) const
   {
     Positions result = u + length * d;
-    std::vector<Matrix_3> projectors = m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
-    return { std::move(result), std::move(projectors) };
+    Positions normals = m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
+    return { std::move(result), std::move(normals) };
   }
 
   // Lets vertices on surfaces move in the tangent planes at these positions from now on.
-  void move_from(Positions u) { set_projectors(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel)); }
-  void set_projectors(std::vector<Matrix_3> projectors) { m_unknowns.set_projectors(std::move(projectors)); }
+  void move_from(Positions u) { set_normals(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel)); }
+  void set_normals(Positions normals) { m_unknowns.set_normals(std::move(normals)); }
 
   // Lets no step from these positions on, in the user's units, turn over facets against their surfaces or make them intersect.
   void keep_boundary_embedded(const Matrix3Xd& positions)
   { m_boundary = std::make_shared<const Embedded_boundary_3>(m_mesh, m_unknowns, positions); }
 
   bool is_boundary_kept_embedded() const { return m_boundary != nullptr; }
-  bool is_boundary_embedded(const Positions& u) const
-  { return m_boundary == nullptr || m_boundary->spoilt_facets(u / m_scale, 1).empty(); }
+  bool is_boundary_embedded(const Positions& u, const Positions& normals) const
+  { return m_boundary == nullptr || m_boundary->spoilt_facets(u / m_scale, normals, 1).empty(); }
 
-  // Holds vertices, until projectors are set, that a step would lead uphill after they are put back on their surfaces, as a
+  // Holds vertices, until normals are set, that a step would lead uphill after they are put back on their surfaces, as a
   // fold does, and those of facets that it would spoil. Returns whether there are any.
   bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
   {
@@ -95,10 +95,11 @@ public:
       return false;
     Positions gradient = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, gradient);
-    const Positions trial = moved(u, length, d).first, step = trial - u;
+    const auto [trial, normals] = moved(u, length, d);
+    const Positions step = trial - u;
     std::set<int> spoilt;
     if(m_boundary != nullptr)
-      for(const auto& facet : m_boundary->spoilt_facets(trial / m_scale))
+      for(const auto& facet : m_boundary->spoilt_facets(trial / m_scale, normals))
         spoilt.insert(facet.begin(), facet.end());
     return m_unknowns.hold_if([&](const int row)
     {

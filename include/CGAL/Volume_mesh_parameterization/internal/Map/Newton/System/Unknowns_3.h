@@ -44,11 +44,13 @@ public:
       m_projectors.push_back(projectors[v]);
   }
 
-  // The vertices that may leave their targets. Those on surfaces cannot move until projectors are set.
+  // The vertices that may leave their targets. Those on surfaces cannot move until normals are set.
   explicit Unknowns_3(const Conditions_3& conditions)
     : Unknowns_3(static_cast<int>(conditions.size()),
                  [&](const int v) { return conditions[v].kind() != Vertex_condition_3::AT_TARGET; })
   {
+    if(are_some_on_surfaces(conditions))
+      m_normals = Matrix3Xd::Zero(3, number_of_vertices());
     for(const int v : m_vertices)
     {
       m_conditions.push_back(conditions[v]);
@@ -61,6 +63,7 @@ public:
   Unknowns_3 without(const Predicate& is_known) const
   {
     Unknowns_3 result(number_of_vertices(), [&](const int v) { return contains(v) && !is_known(v); });
+    result.m_normals = m_normals;
     for(const int v : result.m_vertices)
     {
       if(!m_projectors.empty())
@@ -96,41 +99,37 @@ public:
     return result;
   }
 
-  // Puts vertices back on their surfaces, of positions that are multiplied by a scale. Returns the projectors there.
-  std::vector<Matrix_3> put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
+  // Puts vertices back on their surfaces, of positions that are multiplied by a scale, a power of two, which changes no digits.
+  // Returns the unit normals there, and the tangents of curves, in the columns of their vertices.
+  Matrix3Xd put_on_surfaces(Matrix3Xd& positions, const double scale, const bool is_parallel) const
   {
-    std::vector<Matrix_3> result = m_projectors;
+    Matrix3Xd result = m_normals;
     for_each_on_surface(is_parallel, [&](const int row)
     {
-      const auto [point, projector] = put_on_surface_3(m_conditions[row], positions.col(vertex(row)) / scale);
+      const auto [point, normal] = put_on_surface(vertex(row), positions.col(vertex(row)) / scale);
       positions.col(vertex(row)) = scale * point;
-      result[row] = projector;
+      result.col(vertex(row)) = normal;
     });
     return result;
   }
 
-  // Returns the normal of the surface of a vertex next to a point, and 0 if the vertex is on no surface.
-  Vector_3 normal_of_surface(const int v, const Vector_3& p) const
+  std::pair<Vector_3, Vector_3> put_on_surface(const int v, const Vector_3& p) const
+  { return put_on_surface_3(m_conditions[row(v)], p); }
+
+  // Lets vertices on surfaces move in tangent planes, and those on curves along tangents.
+  void set_normals(Matrix3Xd normals)
   {
-    if(!contains(v) || m_conditions[row(v)].kind() != Vertex_condition_3::ON_SURFACE)
-      return Vector_3(0, 0, 0);
-    return to_vector(m_conditions[row(v)].surface().nearest_point({ p[0], p[1], p[2] }).direction);
+    m_normals = std::move(normals);
+    for_each_on_surface(false, [&](const int row)
+    { m_projectors[row] = projector_3(m_conditions[row], m_normals.col(vertex(row))); });
   }
 
-  // Returns the normals of surfaces at their vertices, and 0 for all other vertices.
-  Matrix3Xd normals_of_surfaces(const Matrix3Xd& positions, const bool is_parallel) const
-  {
-    Matrix3Xd result = Matrix3Xd::Zero(3, number_of_vertices());
-    for_each_on_surface(is_parallel, [&](const int row)
-    { result.col(vertex(row)) = normal_of_surface(vertex(row), positions.col(vertex(row))); });
-    return result;
-  }
-
-  void set_projectors(std::vector<Matrix_3> projectors) { m_projectors = std::move(projectors); }
+  bool is_on_surface(const int v) const
+  { return contains(v) && !m_conditions.empty() && m_conditions[row(v)].kind() == Vertex_condition_3::ON_SURFACE; }
 
   const Conditions_3& conditions() const { return m_conditions; }
 
-  // Holds vertices on surfaces, until projectors are set. Returns whether there are any to be held.
+  // Holds vertices on surfaces, until normals are set. Returns whether there are any to be held.
   template <typename Predicate>
   bool hold_if(const Predicate& is_stuck)
   {
@@ -189,6 +188,7 @@ private:
   std::vector<int> m_rows;                   // of each vertex
   std::vector<int> m_vertices;               // of each row
   std::vector<Matrix_3> m_projectors; // of each row; none if all directions are free
+  Matrix3Xd m_normals;                // of surfaces, and tangents of curves, at all vertices; none if no vertex is on a surface
   Conditions_3 m_conditions;          // of each row; none if they are not known, and no vertex is on a surface
 };
 
