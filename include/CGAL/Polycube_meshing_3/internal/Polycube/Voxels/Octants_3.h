@@ -15,72 +15,34 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxels_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
+#include <algorithm>
+#include <array>
 #include <deque>
 #include <limits>
 #include <optional>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns for each set of octants around a point whether the boundary between them and the others is a disc there.
-class Octants_3
+// Returns whether the boundary between a set of octants around a point and the others is a disc there, or empty: faces join the
+// octants of the set, and the others, too.
+inline bool is_manifold_at(const unsigned int octants)
 {
-public:
-  Octants_3()
+  static const std::array<bool, 256> result = []
   {
-    for(unsigned int octants = 0; octants < 256; ++octants)
-      m_is_manifold[octants] = is_disc_or_empty(octants);
-  }
-
-  bool is_manifold(const unsigned int octants) const { return m_is_manifold[octants]; }
-
-  static bool is_on_boundary(const unsigned int octants) { return octants != 0 && octants != 255; }
-
-private:
-  static bool has_face(const unsigned int octants, const unsigned int a, const unsigned int lower)
-  { return (octants >> lower & 1) != (octants >> (lower | 1u << a) & 1); }
-
-  // Joins the faces at each edge that leaves the point. No edge may have four of them, and all must be joined.
-  static bool is_disc_or_empty(const unsigned int octants)
-  {
-    const auto number = [](const unsigned int a, const unsigned int lower) { return 8 * a + lower; };
-    Disjoint_sets sets(24);
-    for(unsigned int a = 0; a < 3; ++a)
-      for(unsigned int side = 0; side < 2; ++side)
-      {
-        const unsigned int u = (a + 1) % 3, v = (a + 2) % 3;
-        std::vector<unsigned int> around;
-        for(unsigned int t = 0; t < 2; ++t)
-        {
-          if(const unsigned int lower = side << a | t << v; has_face(octants, u, lower))
-            around.push_back(number(u, lower));
-          if(const unsigned int lower = side << a | t << u; has_face(octants, v, lower))
-            around.push_back(number(v, lower));
-        }
-        if(around.size() > 2)
-          return false;
-        if(around.size() == 2)
-          sets.unite(around[0], around[1]);
-      }
-    std::optional<std::size_t> first;
-    for(unsigned int a = 0; a < 3; ++a)
-      for(unsigned int lower = 0; lower < 8; ++lower)
-        if(!(lower >> a & 1) && has_face(octants, a, lower))
-        {
-          const std::size_t set = sets.find(number(a, lower));
-          if(first.value_or(set) != set)
-            return false;
-          first = set;
-        }
-    return true;
-  }
-
-  std::array<bool, 256> m_is_manifold;
-};
-
-inline const Octants_3& all_octants_3()
-{
-  static const Octants_3 octants;
-  return octants;
+    std::array<bool, 256> of_sets;
+    for(unsigned int set = 0; set < of_sets.size(); ++set)
+    {
+      Disjoint_sets parts(8);
+      for(unsigned int k = 0; k < 8; ++k)
+        for(const unsigned int next : { k ^ 1u, k ^ 2u, k ^ 4u })
+          if((set >> k & 1) == (set >> next & 1))
+            parts.unite(k, next);
+      const std::vector<std::size_t> numbers = parts.numbers();
+      of_sets[set] = *std::max_element(numbers.begin(), numbers.end()) < 2;
+    }
+    return of_sets;
+  }();
+  return result[octants];
 }
 
 // Returns the Euler characteristic of the part of the boundary of voxels that is at points of a box: vertices, and edges and
@@ -93,9 +55,9 @@ inline std::optional<int> characteristic_of_voxels_3(const Voxels_3& voxels, con
       for(int i = lo[0]; i <= hi[0]; ++i)
       {
         const unsigned int octants = voxels.octants(Eigen::Vector3i(i, j, k));
-        if(!all_octants_3().is_manifold(octants))
+        if(!is_manifold_at(octants))
           return std::nullopt;
-        result += Octants_3::is_on_boundary(octants);
+        result += octants != 0 && octants != 255;
         for(unsigned int a = 0; a < 3; ++a)
         {
           const unsigned int u = 1u << (a + 1) % 3, v = 1u << (a + 2) % 3, upper = 1u << a;
@@ -113,7 +75,7 @@ inline std::optional<int> characteristic_of_voxels_3(const Voxels_3& voxels, con
 inline bool make_manifold(Voxels_3& voxels, const double least_part)
 {
   constexpr int maximum_number_of_changes = 20000; // a guess
-  const auto is_bad = [&](const Eigen::Vector3i& p) { return !all_octants_3().is_manifold(voxels.octants(p)); };
+  const auto is_bad = [&](const Eigen::Vector3i& p) { return !is_manifold_at(voxels.octants(p)); };
   std::deque<Eigen::Vector3i> bad;
   const auto collect = [&](const Eigen::Vector3i& lo, const Eigen::Vector3i& hi)
   {
