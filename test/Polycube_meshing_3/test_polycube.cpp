@@ -402,11 +402,11 @@ TEST_CASE("a ramp does not join the faces at its ends")
 
 TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
 {
-  // two arms of a fork turn twice around each other, so that no labels of its charts are valid
+  // two arms of a fork turn three times around each other, so that no labels of its charts are valid
   Labelled_complex complex(bricks({4, 3, 16}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
     [](const double x, const double y, const double z) -> std::array<double, 3>
   {
-    const double angle = 0.7 * (std::max)(0., z - 2), c = std::cos(angle), s = std::sin(angle);
+    const double angle = 1.4 * (std::max)(0., z - 2), c = std::cos(angle), s = std::sin(angle);
     return {c * (x - 2) - s * (y - 1.5), s * (x - 2) + c * (y - 1.5), z};
   }));
   CHECK(complex.parameterize() == VMP::OK);
@@ -850,8 +850,8 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   Unit_surface_3 fine = given;
   split_long_edges_3([](const PM::internal::Vector_3&) { return 0.05; }, fine);
   const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
-  CHECK(polycube.label_of_chart.size() >= 10); // of a ring along the axes
-  CHECK(polycube.label_of_chart.size() <= 12);
+  CHECK(polycube.charts.labels().size() >= 10); // of a ring along the axes
+  CHECK(polycube.charts.labels().size() <= 12);
   const double length = GENERATE(0.05, 0.2); // the longer one is halved where borders are blocked
   Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
   REQUIRE(drawn.chart_of_facet.size() == drawn.surface.mesh.number_of_faces());
@@ -861,9 +861,9 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
       split_between_borders(drawn);
     std::vector<std::size_t> labels;
     for(const std::size_t c : drawn.chart_of_facet)
-      labels.push_back(polycube.label_of_chart[c]);
+      labels.push_back(polycube.charts.labels()[c]);
     const Polycube_charts_3 charts(drawn.surface.mesh, labels);
-    CHECK(charts.number_of_charts() == polycube.label_of_chart.size());
+    CHECK(charts.number_of_charts() == polycube.charts.labels().size());
     CHECK(charts.number_of_defects() == 0);
   }
 }

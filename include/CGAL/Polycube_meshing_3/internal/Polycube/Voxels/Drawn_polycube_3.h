@@ -29,19 +29,14 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Length_of_edges_3
 {
 public:
-  // Takes the length at the chains.
-  Length_of_edges_3(const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face, const double length)
-    : m_points(faces.points), m_lengths(m_points.size(), length), m_least(length / 4), m_nearest(0) // two halvings; a guess
+  // Takes the faces, their charts, and the length at the chains.
+  Length_of_edges_3(const Boundary_mesh_3& faces, const Polycube_charts_3& charts, const double length)
+    : m_points(points_of(faces)), m_lengths(m_points.size(), length), m_least(length / 4), m_nearest(0) // two halvings; a guess
   {
-    std::vector<std::size_t> chart_of_point(m_points.size(), none);
     std::set<std::size_t> on_chains;
-    for(std::size_t i = 0; i < chart_of_face.size(); ++i)
-      for(const std::size_t p : faces.corners[i])
-      {
-        if(chart_of_point[p] != none && chart_of_point[p] != chart_of_face[i])
-          on_chains.insert(p);
-        chart_of_point[p] = chart_of_face[i];
-      }
+    for(const Polycube_chain_3& chain : charts.chains())
+      for(const auto v : charts.vertices(chain))
+        on_chains.insert(v);
     m_on_chains.assign(on_chains.begin(), on_chains.end());
     for(const std::size_t p : m_on_chains)
       m_nearest.add(m_points[p], Vector_3::Zero());
@@ -67,9 +62,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-
-  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector_3> m_points;
   std::vector<double> m_lengths; // at the points
   double m_least;
   std::vector<std::size_t> m_on_chains; // points
@@ -143,14 +136,23 @@ inline void relax_charts_3(const Unit_surface_3& surface, const std::vector<std:
   }
 }
 
-// Polycube of voxels: the charts of placed faces of the voxels that it was made of.
+// Polycube of voxels: placed faces of the voxels that it was made of, and their charts.
 struct Polycube_of_voxels_3
 {
   double size_of_voxels;
   Voxel_faces_3 faces;
-  std::vector<std::size_t> chart_of_face;
-  std::vector<std::size_t> label_of_chart;
+  Polycube_charts_3 charts;
   std::vector<int> plane_of_chart; // numbers of layers of voxels
+
+  // Takes the labels of the faces, and the planes of their images.
+  Polycube_of_voxels_3(const double size, Voxel_faces_3 placed, const std::vector<std::size_t>& labels,
+                       const std::vector<int>& planes)
+    : size_of_voxels(size), faces(std::move(placed)), charts(faces.mesh, labels), plane_of_chart(charts.number_of_charts())
+  {
+    for(std::size_t f = 0; f < planes.size(); ++f)
+      plane_of_chart[charts.chart_of_face()[f]] = planes[f];
+  }
+  Polycube_of_voxels_3(const Polycube_of_voxels_3&) = delete; // the charts refer to the mesh
 };
 
 // Surface with the charts of a polycube.
@@ -164,13 +166,12 @@ struct Drawn_polycube_3
 inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface, const double length,
                                         const Budget& budget)
 {
-  Length_of_edges_3 lengths(polycube.faces, polycube.chart_of_face, length);
+  Length_of_edges_3 lengths(polycube.faces.mesh, polycube.charts, length);
   for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
   {
     Drawn_polycube_3 result = { surface };
     split_long_edges_3(lengths, result.surface);
-    Routed_charts_3 charts(result.surface, polycube.faces, polycube.chart_of_face, polycube.label_of_chart.size(),
-                           polycube.size_of_voxels);
+    Routed_charts_3 charts(result.surface, polycube.faces, polycube.charts, polycube.size_of_voxels);
     result.chart_of_facet = charts.run(budget);
     if(!result.chart_of_facet.empty())
       return result;

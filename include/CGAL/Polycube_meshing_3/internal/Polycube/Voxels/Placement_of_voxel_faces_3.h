@@ -100,29 +100,25 @@ public:
 private:
   static void smooth(Voxel_faces_3& faces)
   {
-    std::vector<Vector_3> sums(faces.points.size(), Vector_3::Zero());
-    std::vector<double> numbers(faces.points.size(), 0);
-    for(const std::array<std::size_t, 4>& c : faces.corners)
-      for(std::size_t k = 0; k < 4; ++k) // each edge once in each direction
-      {
-        sums[c[k]] += faces.points[c[(k + 1) % 4]];
-        ++numbers[c[k]];
-      }
-    for(std::size_t v = 0; v < sums.size(); ++v)
-      faces.points[v] = (faces.points[v] + sums[v] / numbers[v]) / 2;
+    Boundary_mesh_3& mesh = faces.mesh;
+    std::vector<Vector_3> sums(mesh.number_of_vertices(), Vector_3::Zero());
+    for(const auto h : mesh.halfedges())
+      sums[mesh.source(h)] += faces.point(mesh.target(h));
+    for(const auto v : mesh.vertices())
+      mesh.point(v) = exact_point((faces.point(v) + sums[v] / mesh.degree(v)) / 2);
   }
 
   void project(Voxel_faces_3& faces, const double part) const
   {
-    const std::vector<Vector_3> normals = faces.normals_of_points();
-    for(std::size_t v = 0; v < faces.points.size(); ++v)
+    const std::vector<Vector_3> normals = faces.normals_of_vertices();
+    for(const auto v : faces.mesh.vertices())
     {
-      Vector_3& p = faces.points[v];
+      const Vector_3 p = faces.point(v);
       const std::size_t f = m_nearest.nearest(p, normals[v]);
       Vector_3 to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
       if(const double distance = to.norm(); distance > m_spacing / 2)
         to = m_spacing / 2 / distance * to; // the plane may leave the surface
-      p += part * (m_facets.centers[f] + to - p);
+      faces.mesh.point(v) = exact_point(p + part * (m_facets.centers[f] + to - p));
     }
   }
 
@@ -130,9 +126,10 @@ private:
   std::size_t number_of_folded_faces(const Voxel_faces_3& faces) const
   {
     std::size_t result = 0;
-    for(const std::array<std::size_t, 4>& c : faces.corners)
+    for(const auto face : faces.mesh.faces())
     {
-      const auto point = [&](const std::size_t k) { return faces.points[c[k % 4]]; };
+      const auto vertices = faces.vertices(face);
+      const auto point = [&](const std::size_t k) { return faces.point(vertices[k % 4]); };
       const std::size_t f
         = m_nearest_in_position.nearest((point(0) + point(1) + point(2) + point(3)) / 4, Vector_3::Zero());
       bool is_folded = false;
@@ -154,17 +151,18 @@ inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, co
 {
   constexpr std::size_t samples = 5; // along each edge; a guess
   Nearest_with_normal_3 nearest(spacing);
-  const std::vector<Vector_3> normals = faces.normals_of_points();
-  for(const std::array<std::size_t, 4>& c : faces.corners)
+  const std::vector<Vector_3> points = points_of(faces.mesh), normals = faces.normals_of_vertices();
+  for(const auto f : faces.mesh.faces())
     for(std::size_t i = 0; i < samples; ++i)
       for(std::size_t j = 0; j < samples; ++j)
       {
         const double u = (static_cast<double>(i) + 0.5) / samples, v = (static_cast<double>(j) + 0.5) / samples;
         const auto bilinear = [&](const std::vector<Vector_3>& values) -> Vector_3
         {
-          return (1 - v) * ((1 - u) * values[c[0]] + u * values[c[1]]) + v * (u * values[c[2]] + (1 - u) * values[c[3]]);
+          const auto [a, b, c, d] = faces.vertices(f);
+          return (1 - v) * ((1 - u) * values[a] + u * values[b]) + v * (u * values[c] + (1 - u) * values[d]);
         };
-        nearest.add(bilinear(faces.points), bilinear(normals).normalized());
+        nearest.add(bilinear(points), bilinear(normals).normalized());
       }
   std::vector<std::size_t> result;
   for(std::size_t f = 0; f < facets.areas.size(); ++f)

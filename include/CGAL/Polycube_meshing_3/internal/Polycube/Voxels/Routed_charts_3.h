@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Chains_of_voxel_charts_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/vertices_of_corners_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
@@ -27,10 +27,9 @@ class Routed_charts_3
 {
 public:
   // Takes the faces of voxels on the surface, their charts, and the size of voxels. Facets at corners are split.
-  Routed_charts_3(Unit_surface_3& surface, const Voxel_faces_3& faces, const std::vector<std::size_t>& chart_of_face,
-                  const std::size_t number_of_charts, const double spacing)
-    : m_surface(surface), m_mesh(surface.mesh), m_faces(faces), m_chains(faces, chart_of_face),
-      m_number_of_charts(number_of_charts), m_spacing(spacing), m_paths(m_chains.chains().size())
+  Routed_charts_3(Unit_surface_3& surface, const Voxel_faces_3& faces, const Polycube_charts_3& charts, const double spacing)
+    : m_surface(surface), m_mesh(surface.mesh), m_faces(faces), m_charts(charts), m_spacing(spacing),
+      m_paths(charts.chains().size())
   {}
 
   // Returns the chart of each facet; none if a path is blocked.
@@ -38,28 +37,25 @@ public:
   {
     constexpr int layers_around_corners = 2; // give room to the paths that leave them
     constexpr int maximum_number_of_attempts = 40; // a guess
-    m_corners = vertices_of_corners(m_mesh, m_faces, m_chains);
-    if(m_corners.empty())
-      return {};
+    m_corners = vertices_of_corners_3(m_mesh, m_faces, m_charts);
     for(int i = 0; i < layers_around_corners; ++i)
       split_around(m_corners, m_surface);
-    m_beside = vertices_beside_corners(m_mesh, m_faces, m_chains, m_corners);
-    if(m_beside.empty())
+    m_first_halfedges = first_halfedges_of_chains_3(m_mesh, m_faces.mesh, m_charts, m_corners);
+    if(m_first_halfedges.empty())
       return {};
-    for(std::size_t i = 0; i < m_corners.size(); ++i)
-      m_number_of_corner.emplace(m_chains.corners()[i], i);
 
     std::vector<std::size_t> order(m_paths.size()); // shorter ones first
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](const std::size_t i, const std::size_t j)
-    { return m_chains.length(m_chains.chains()[i]) < m_chains.length(m_chains.chains()[j]); });
+    const auto length = [&](const std::size_t i) { return arc_lengths(m_faces.mesh, chain(i)).back(); };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const std::size_t i, const std::size_t j) { return length(i) < length(j); });
     for(int attempt = 0; attempt < maximum_number_of_attempts && !budget.is_exhausted(); ++attempt)
     {
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
-      const std::vector<std::size_t>& points = m_chains.chains()[*blocked].points;
-      m_blocked_points.insert(points.begin(), points.end());
+      for(const auto v : chain(*blocked))
+        m_blocked_points.insert(v);
       std::rotate(order.begin(), blocked, blocked + 1); // it comes first
     }
     return {};
@@ -71,43 +67,43 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
+  // Returns the vertices of a chain on the faces of voxels.
+  std::vector<Polycube_charts_3::Vertex> chain(const std::size_t i) const { return m_charts.vertices(m_charts.chains()[i]); }
+
   // Routes the chains one after the other. Returns the first one that is blocked.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
   {
     m_is_used.assign(m_mesh.number_of_vertices(), false);
-    for(std::size_t i = 0; i < m_corners.size(); ++i)
-    {
-      m_is_used[m_corners[i]] = true;
-      for(const std::size_t v : m_beside[i]) // belongs to one chain
-        m_is_used[v] = true;
-    }
+    for(const auto& [corner, v] : m_corners)
+      m_is_used[v] = true;
+    for(const auto& [first, h] : m_first_halfedges) // belongs to one chain
+      m_is_used[m_mesh.target(h)] = true;
     return std::find_if_not(order.begin(), order.end(), [&](const std::size_t i) { return route(i); });
   }
 
   bool route(const std::size_t i)
   {
-    const Chain_of_voxel_charts_3& chain = m_chains.chains()[i];
-    const std::size_t first = m_number_of_corner.at(chain.points.front()), last = m_number_of_corner.at(chain.points.back());
-    std::vector<std::size_t> path
-      = shortest_path(m_beside[first][chain.first_index], m_beside[last][chain.last_index], chain);
+    const auto& halfedges = m_charts.chains()[i].halfedges;
+    const auto first = m_first_halfedges.at(halfedges.front()), last = m_first_halfedges.at(m_faces.mesh.opposite(halfedges.back()));
+    std::vector<std::size_t> path = shortest_path(m_mesh.target(first), m_mesh.target(last), chain(i));
     if(path.empty())
       return false;
     for(const std::size_t v : path)
       m_is_used[v] = true;
-    path.insert(path.begin(), m_corners[first]);
-    path.push_back(m_corners[last]);
+    path.insert(path.begin(), m_mesh.source(first));
+    path.push_back(m_mesh.source(last));
     m_paths[i] = std::move(path);
     return true;
   }
 
   // Returns how much longer a path is at a vertex that is off the chain of the faces.
-  double factor(const Vector_3& p, const Chain_of_voxel_charts_3& chain) const
+  double factor(const Vector_3& p, const std::vector<Polycube_charts_3::Vertex>& chain) const
   {
     constexpr double weight = 20; // a guess
     double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t i = 1; i < chain.points.size(); ++i)
+    for(std::size_t i = 1; i < chain.size(); ++i)
     {
-      const Vector_3 &a = m_faces.points[chain.points[i - 1]], edge = m_faces.points[chain.points[i]] - a;
+      const Vector_3 a = m_faces.point(chain[i - 1]), edge = m_faces.point(chain[i]) - a;
       const double t = edge.squaredNorm() > 0 ? (std::min)((std::max)((p - a).dot(edge) / edge.squaredNorm(), 0.), 1.) : 0;
       least = (std::min)(least, (a + t * edge - p).squaredNorm());
     }
@@ -116,7 +112,7 @@ private:
 
   // Returns the vertices of a path around those in use; none if there is none.
   std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to,
-                                         const Chain_of_voxel_charts_3& chain) const
+                                         const std::vector<Polycube_charts_3::Vertex>& chain) const
   {
     const auto for_each_edge = [&](const std::size_t v, const auto& reach)
     {
@@ -136,8 +132,8 @@ private:
       for(std::size_t k = 1; k < m_paths[i].size(); ++k)
       {
         const auto h = m_mesh.halfedge(vertex_index(m_paths[i][k - 1]), vertex_index(m_paths[i][k]));
-        chart_of_halfedge[h] = m_chains.chains()[i].left;
-        chart_of_halfedge[m_mesh.opposite(h)] = m_chains.chains()[i].right;
+        chart_of_halfedge[h] = m_charts.chains()[i].charts[0];
+        chart_of_halfedge[m_mesh.opposite(h)] = m_charts.chains()[i].charts[1];
       }
     Disjoint_sets sets(m_mesh.number_of_faces());
     for(const auto h : m_mesh.halfedges())
@@ -155,7 +151,7 @@ private:
     for(std::size_t f = 0; f < m_mesh.number_of_faces(); ++f)
       if(const auto it = chart_of_part.find(sets.find(f)); it != chart_of_part.end())
         result.push_back(it->second);
-    if(result.size() != m_mesh.number_of_faces() || part_of_chart.size() != m_number_of_charts)
+    if(result.size() != m_mesh.number_of_faces() || part_of_chart.size() != m_charts.number_of_charts())
       return {};
     return result;
   }
@@ -163,13 +159,11 @@ private:
   Unit_surface_3& m_surface;
   const Boundary_mesh_3& m_mesh; // of the surface
   const Voxel_faces_3& m_faces;
-  const Chains_of_voxel_charts_3 m_chains;
-  const std::size_t m_number_of_charts;
+  const Polycube_charts_3& m_charts; // of the faces
   const double m_spacing;
   std::vector<std::vector<std::size_t> > m_paths; // vertices, of each chain
-  std::vector<std::size_t> m_corners;             // vertices
-  std::vector<std::vector<std::size_t> > m_beside; // vertices, of the chains at each corner
-  std::unordered_map<std::size_t, std::size_t> m_number_of_corner;
+  Vertices_of_corners_3 m_corners;
+  std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index> m_first_halfedges;
   std::vector<bool> m_is_used;
   std::set<std::size_t> m_blocked_points;
 };

@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxels_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
 #include <algorithm>
@@ -79,49 +80,56 @@ private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 };
 
-// Quadrangles of the boundary of voxels, with places of their corners that may move.
+// Boundary of voxels as a mesh of quadrangles, whose vertices may move.
 struct Voxel_faces_3
 {
-  std::vector<std::size_t> faces;
-  std::vector<std::array<std::size_t, 4> > corners;   // counterclockwise seen from outside
-  std::vector<std::array<std::size_t, 4> > neighbors; // across the edges that begin at these corners
-  std::vector<Vector_3> points;
+  using Face = Boundary_mesh_3::Face_index;
+  using Vertex = Boundary_mesh_3::Vertex_index;
+
+  std::vector<std::size_t> faces; // of the voxels, in the order of the mesh
+  Boundary_mesh_3 mesh;
 
   explicit Voxel_faces_3(const Voxels_3& voxels) : faces(boundary_faces(voxels))
   {
-    std::map<std::array<int, 3>, std::size_t> numbers;
+    std::map<std::array<int, 3>, Vertex> vertices;
     for(const std::size_t face : faces)
     {
-      std::array<std::size_t, 4> quadrangle;
+      std::array<Vertex, 4> quadrangle;
       for(unsigned int k = 0; k < 4; ++k)
       {
         const Eigen::Vector3i p = voxels.voxel(face / 6) + corner(face % 6, k);
-        const auto [it, is_new] = numbers.emplace(std::array<int, 3>{ p[0], p[1], p[2] }, points.size());
+        const auto [it, is_new] = vertices.emplace(std::array<int, 3>{ p[0], p[1], p[2] }, mesh.number_of_vertices());
         if(is_new)
-          points.push_back(voxels.origin + voxels.spacing * p.cast<double>());
+          mesh.add_vertex(exact_point(voxels.origin + voxels.spacing * p.cast<double>()));
         quadrangle[sign_of_direction(face % 6) > 0 ? k : 3 - k] = it->second;
       }
-      corners.push_back(quadrangle);
+      mesh.add_face(quadrangle);
     }
-    find_neighbors();
   }
 
-  Vector_3 normal(const std::size_t i) const // of the length of twice the area
+  // Returns the vertices of a face, counterclockwise as seen from outside.
+  std::array<Vertex, 4> vertices(const Face f) const
   {
-    const auto& [a, b, c, d] = corners[i];
-    return (points[c] - points[a]).cross(points[d] - points[b]);
+    const auto h = mesh.halfedge(f), opposite = mesh.next(mesh.next(h));
+    return { mesh.target(h), mesh.source(opposite), mesh.target(opposite), mesh.source(h) };
   }
 
-  std::vector<Vector_3> normals_of_points() const
+  std::vector<Vector_3> normals_of_vertices() const
   {
-    std::vector<Vector_3> result(points.size(), Vector_3::Zero());
-    for(std::size_t i = 0; i < corners.size(); ++i)
-      for(const std::size_t v : corners[i])
-        result[v] += normal(i);
+    std::vector<Vector_3> result(mesh.number_of_vertices(), Vector_3::Zero());
+    for(const Face f : mesh.faces())
+    {
+      const auto [a, b, c, d] = vertices(f);
+      const Vector_3 normal = (point(c) - point(a)).cross(point(d) - point(b)); // of the length of twice the area
+      for(const Vertex v : { a, b, c, d })
+        result[v] += normal;
+    }
     for(Vector_3& n : result)
       n = n.normalized(); // a zero vector stays
     return result;
   }
+
+  Vector_3 point(const Vertex v) const { return to_vector(mesh.point(v)); }
 
 private:
   static Eigen::Vector3i corner(const std::size_t direction, const unsigned int k)
@@ -132,20 +140,6 @@ private:
     result[(axis + 1) % 3] = k == 1 || k == 2;
     result[(axis + 2) % 3] = k >= 2;
     return result;
-  }
-
-  void find_neighbors()
-  {
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> face_of_edge;
-    for(std::size_t i = 0; i < corners.size(); ++i)
-      for(std::size_t k = 0; k < 4; ++k)
-        face_of_edge.emplace(std::make_pair(corners[i][k], corners[i][(k + 1) % 4]), i);
-    for(const std::array<std::size_t, 4>& c : corners)
-    {
-      neighbors.emplace_back();
-      for(std::size_t k = 0; k < 4; ++k)
-        neighbors.back()[k] = face_of_edge.at({ c[(k + 1) % 4], c[k] });
-    }
   }
 };
 
@@ -171,12 +165,14 @@ inline bool are_neighbors_those_of_charts(const Charts_of_voxels_3& charts, cons
         neighbors.emplace_back(a, b);
     });
   Disjoint_sets sets(face_of_piece.size());
-  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
-    for(const std::size_t other : old_faces.neighbors[c])
-      if(const std::size_t a = chart_of_piece(c), b = chart_of_piece(other); a == b)
-        sets.unite(c, other);
-      else if(a < b)
-        neighbors_of_pieces.emplace_back(a, b);
+  for(const auto h : old_faces.mesh.halfedges())
+  {
+    const std::size_t piece = old_faces.mesh.face(h), other = old_faces.mesh.face(old_faces.mesh.opposite(h));
+    if(const std::size_t a = chart_of_piece(piece), b = chart_of_piece(other); a == b)
+      sets.unite(piece, other);
+    else if(a < b)
+      neighbors_of_pieces.emplace_back(a, b);
+  }
   std::vector<std::size_t> parts(charts.labels.size(), 0);
   for(std::size_t c = 0; c < face_of_piece.size(); ++c)
     parts[chart_of_piece(c)] += sets.find(c) == c;
@@ -227,12 +223,12 @@ inline bool are_corners_those_of_charts(const Charts_of_voxels_3& charts, const 
         for(const std::size_t p : points_of_edge(charts.voxels, face, e))
           ends.emplace_back(p, chart);
     });
-  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
-    for(std::size_t k = 0; k < 4; ++k)
-      if(const std::size_t chart = charts.chart_of_face[face_of_piece[c]];
-         chart != charts.chart_of_face[face_of_piece[old_faces.neighbors[c][k]]])
-        for(const std::size_t p : { old_faces.corners[c][k], old_faces.corners[c][(k + 1) % 4] })
-          ends_of_pieces.emplace_back(p, chart);
+  const Boundary_mesh_3& mesh = old_faces.mesh;
+  const auto chart = [&](const auto h) { return charts.chart_of_face[face_of_piece[mesh.face(h)]]; };
+  for(const auto h : mesh.halfedges())
+    if(chart(h) != chart(mesh.opposite(h)))
+      for(const std::size_t v : { mesh.source(h), mesh.target(h) })
+        ends_of_pieces.emplace_back(v, chart(h));
   return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_pieces));
 }
 

@@ -73,32 +73,29 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Un
 {
   Voxels_3 voxels = given;
   const Facets_3 facets(surface.mesh);
-  Polycube_of_voxels_3 result = {
-    voxels.spacing, Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels)), {}, {}, {}
-  };
+  const Voxel_faces_3 faces = Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels));
   const Label_functional_3 functional(surface.mesh, surface.is_sharp);
-  const Pieces_of_surface_3 pieces(surface.mesh, functional, nearest_voxel_faces_3(facets, result.faces, voxels.spacing),
-                                result.faces.faces.size());
+  const Pieces_of_surface_3 pieces(surface.mesh, functional, nearest_voxel_faces_3(facets, faces, voxels.spacing),
+                                   faces.faces.size());
   std::vector<std::size_t> face_of_piece;
   for(const bool do_keep_corners : { false, true })
   {
     voxels = given;
-    Voxel_simplification_3 simplification(voxels, result.faces, pieces, do_keep_corners);
+    Voxel_simplification_3 simplification(voxels, faces, pieces, do_keep_corners);
     simplification.run(budget);
     face_of_piece = simplification.face_of_piece();
-    if(are_corners_those_of_charts(Charts_of_voxels_3(voxels), result.faces, face_of_piece))
+    if(are_corners_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece))
       break;
   }
 
-  const Charts_of_voxels_3 charts(voxels);
+  std::vector<std::size_t> labels;
+  std::vector<int> planes;
   for(const std::size_t face : face_of_piece)
-    result.chart_of_face.push_back(charts.chart_of_face[face]);
-  result.label_of_chart = charts.labels;
-  result.plane_of_chart.resize(charts.labels.size());
-  for(const std::size_t face : charts.faces)
-    result.plane_of_chart[charts.chart_of_face[face]]
-      = voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0);
-  return result;
+  {
+    labels.push_back(face % 6);
+    planes.push_back(voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0));
+  }
+  return Polycube_of_voxels_3(voxels.spacing, faces, labels, planes);
 }
 
 // Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges
@@ -107,14 +104,14 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
   const Unit_surface_3& surface = drawn.surface;
-  relax_charts_3(surface, polycube.label_of_chart, drawn.chart_of_facet);
+  relax_charts_3(surface, polycube.charts.labels(), drawn.chart_of_facet);
   split_between_borders(drawn);
   std::vector<std::size_t> labels;
   for(const std::size_t c : drawn.chart_of_facet)
-    labels.push_back(polycube.label_of_chart[c]);
+    labels.push_back(polycube.charts.labels()[c]);
   const double size = surface.box.diagonal().maxCoeff();
   const std::vector<double> coordinates
-    = coordinates_of_voxel_charts_3(Facets_3(surface.mesh), drawn.chart_of_facet, polycube.label_of_chart,
+    = coordinates_of_voxel_charts_3(Facets_3(surface.mesh), drawn.chart_of_facet, polycube.charts.labels(),
                                     polycube.plane_of_chart, gap * polycube.size_of_voxels,
                                     { -surface.box.center() / size, surface.spacing / size });
   Polycube_map_3 map(surface, labels);

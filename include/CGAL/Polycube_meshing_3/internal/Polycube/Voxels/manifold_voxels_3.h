@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MANIFOLD_VOXELS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MANIFOLD_VOXELS_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -166,4 +166,4 @@ inline bool make_surface_of_characteristic(Voxels_3& voxels, const double least_
 
 } // namespace CGAL::Polycube_meshing_3::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_OCTANTS_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_VOXELS_MANIFOLD_VOXELS_3_H
