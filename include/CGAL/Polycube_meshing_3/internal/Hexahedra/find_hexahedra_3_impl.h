@@ -61,13 +61,14 @@ inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3&
   return result;
 }
 
-// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary.
+// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. They
+// follow the interfaces unless these are to be staircases.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                         const Boxes_3& boxes, Body_interfaces_3& interfaces, const bool do_keep_interfaces,
+                                         const Boxes_3& boxes, Body_interfaces_3& interfaces, const Staircases staircases,
                                          const Budget& budget)
 {
   Best_hexahedra_3 best
-    = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {} };
+    = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {}, staircases };
   const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
                                      other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
   for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
@@ -78,7 +79,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
     for(const Covered_faces_3& faces : layers)
       padded = Padding_3(padded, quadrangles_in(padded, faces), std::vector<int>(padded.cells.size(), 0)).result();
     std::vector<Interface_quadrangle_3> quadrangles;
-    if(do_keep_interfaces)
+    if(staircases == Staircases::NONE)
       padded = with_layers_at_interfaces(body, padded, interfaces, budget, quadrangles);
     const Hexahedra_3 mesh = pulled_back(body, padded, budget);
     if(mesh.cells.empty())
@@ -97,8 +98,8 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
 }
 
 // Finds the best hexahedra that follow the interfaces, or that make staircases of them if these are better.
-inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                                    const Boxes_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
+inline Best_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
+                                                  const Boxes_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
 {
   const auto evaluate = [&](Best_hexahedra_3 hexahedra)
   {
@@ -107,14 +108,13 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
     return hexahedra;
   };
   const auto make_staircases = [&](const Budget& part)
-  { return evaluate(best_hexahedra_3(problem, body, boxes, interfaces, false, part)); };
+  { return evaluate(best_hexahedra_3(problem, body, boxes, interfaces, Staircases::BETTER, part)); };
   std::optional<Best_hexahedra_3> staircases;
   if(budget.is_limited()) // they are far faster than what follows, which may then have all of the time that is left
     staircases = make_staircases(budget.part(0.5));
   Boxes_3 separated = boxes;
   Subdomain_separation_3(separated.in_domain).run(budget);
-  Chosen_hexahedra_3 chosen = { best_hexahedra_3(problem, body, separated, interfaces, true, budget) };
-  Best_hexahedra_3& best = chosen.best;
+  Best_hexahedra_3 best = best_hexahedra_3(problem, body, separated, interfaces, Staircases::NONE, budget);
   if(best.result.has_valid_mesh)
   {
     balance_interfaces_3(interfaces, best.mesh);
@@ -124,12 +124,10 @@ inline Chosen_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& p
   best = evaluate(std::move(best));
   if((!staircases && budget.is_exhausted())
      || !may_be_worse_than_staircases(best, interface_distance_3(boxes.in_body, interfaces).distance))
-    return chosen;
+    return best;
   if(!staircases)
     staircases = make_staircases(budget);
-  if(is_better_as_staircases(staircases->result, best))
-    chosen = { std::move(*staircases), Staircases::BETTER };
-  return chosen;
+  return is_better_as_staircases(staircases->result, best) ? *staircases : best;
 }
 
 CGAL_POLYCUBE_MESHING_3_INLINE
@@ -145,11 +143,11 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   if(boxes.in_domain.cells.empty() && !budget.is_exhausted())
     return { refused_result(failed_check(ERROR_INVERTED_TARGET_BOUNDARY, get_error_message(ERROR_INVERTED_TARGET_BOUNDARY))), {} };
   Body_interfaces_3 interfaces(body.soup, body.surface);
-  Chosen_hexahedra_3 chosen = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
+  Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
-    : Chosen_hexahedra_3{ best_hexahedra_3(problem, body, boxes, interfaces, false, budget), Staircases::ASKED };
-  put_on_planes(body.surface, chosen.best.mesh);
-  return found_hexahedra_3(problem, body, interfaces, chosen, budget);
+    : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
+  put_on_planes(body.surface, best.mesh);
+  return found_hexahedra_3(problem, body, interfaces, best, budget);
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

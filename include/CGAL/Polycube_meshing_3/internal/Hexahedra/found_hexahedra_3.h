@@ -22,16 +22,6 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
-enum class Staircases { NONE, ASKED, BETTER };
-
-// The best hexahedra, and how they are along interfaces.
-struct Chosen_hexahedra_3
-{
-  Best_hexahedra_3 best;
-  Staircases staircases = Staircases::NONE;
-};
-
 // Gives quadrangles the references of the facets of the body nearest to their centers: those of the boundary, and those of
 // interfaces, which it collects.
 inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces_3& interfaces, const Hexahedra_3& mesh,
@@ -210,9 +200,9 @@ inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedra
 
 // Makes the soup of a valid mesh, and evaluates it.
 inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
-                     Chosen_hexahedra_3 chosen, Found_hexahedra_3& found)
+                     Best_hexahedra_3 best, Found_hexahedra_3& found)
 {
-  Hexahedra_3& mesh = chosen.best.mesh;
+  Hexahedra_3& mesh = best.mesh;
   Hexahedral_mesh_result& result = found.result;
   set_images(body, mesh);
   found.mesh = hexahedron_soup_of(mesh);
@@ -224,25 +214,24 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   check_quality(mesh, problem.minimum_scaled_jacobian, result);
   if(result.status != OK)
     result.message += advice_3(body, mesh);
-  check_completeness(body, farthest, chosen.best.edge, problem.spacing, result);
-  evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, chosen.staircases, result);
+  check_completeness(body, farthest, best.edge, problem.spacing, result);
+  evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
     result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
                                " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
 }
 
-// Returns the chosen hexahedra, with what is to be said of them.
+// Returns the best hexahedra, with what is to be said of them.
 inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                           Body_interfaces_3& interfaces, const Chosen_hexahedra_3& chosen, const Budget& budget)
+                                           Body_interfaces_3& interfaces, const Best_hexahedra_3& best, const Budget& budget)
 {
-  const Best_hexahedra_3& best = chosen.best;
   Found_hexahedra_3 found;
   Hexahedral_mesh_result& result = found.result;
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
-    evaluate(problem, body, interfaces, chosen, found);
+    evaluate(problem, body, interfaces, best, found);
   else if(!result.is_interrupted)
     result.message += advice_3(body, best.mesh);
   if(!result.is_interrupted)

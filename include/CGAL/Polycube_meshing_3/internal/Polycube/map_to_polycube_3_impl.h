@@ -49,7 +49,7 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
     for(const std::size_t v : (*whole.cells)[c])
       sets.unite(c, n + v);
   const std::vector<std::size_t> numbers = sets.numbers();
-  const auto body_of = [&](const std::size_t point) { return numbers[n + point]; };
+  const auto number_of_body = [&](const std::size_t point) { return numbers[n + point]; };
 
   std::vector<Separate_body_3> bodies(1 + *std::max_element(numbers.begin(), numbers.begin() + n));
   for(std::size_t c = 0; c < n; ++c)
@@ -57,16 +57,16 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   std::vector<std::size_t> number(whole.vertices.size());
   for(std::size_t v = 0; v < number.size(); ++v)
   {
-    Separate_body_3& body = bodies[body_of(whole.vertices[v])];
+    Separate_body_3& body = bodies[number_of_body(whole.vertices[v])];
     number[v] = body.vertices.size();
     body.vertices.push_back(v);
     body.surface.points.push_back(whole.points[v]);
     body.surface.vertices.push_back(whole.vertices[v]);
   }
   for(const auto& [a, b, c] : whole.facets)
-    bodies[body_of(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+    bodies[number_of_body(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
   for(const auto& [a, b] : whole.sharp_edges)
-    bodies[body_of(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
+    bodies[number_of_body(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
   return bodies;
 }
 

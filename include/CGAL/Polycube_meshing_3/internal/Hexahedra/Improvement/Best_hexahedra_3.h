@@ -91,12 +91,16 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
 inline bool is_at_least(const Hexahedral_mesh_result& result, const double bound)
 { return result.has_valid_mesh && result.minimum_scaled_jacobian >= bound; }
 
+// Whether interfaces are staircases: no, as asked, or since hexahedra that follow the interfaces are worse.
+enum class Staircases { NONE, ASKED, BETTER };
+
 // Best hexahedra so far.
 struct Best_hexahedra_3
 {
   double edge = 1; // of hexahedra without distortion
   Hexahedral_mesh_result result;
   Hexahedra_3 mesh;
+  Staircases staircases = Staircases::NONE;
 
   void take(const Hexahedral_mesh_result& of_next, const Hexahedra_3& next)
   {
