@@ -850,7 +850,7 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
   CHECK(polycube.charts.labels().size() >= 10); // of a ring along the axes
   CHECK(polycube.charts.labels().size() <= 12);
-  const double length = GENERATE(0.05, 0.2); // the longer one is halved where borders are blocked
+  const double length = GENERATE(0.05, 0.2);
   Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
   REQUIRE(drawn.chart_of_facet.size() == drawn.surface.mesh.number_of_faces());
   for(const bool has_splits : {false, true})

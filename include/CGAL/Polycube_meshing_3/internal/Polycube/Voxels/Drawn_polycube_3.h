@@ -18,56 +18,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
-#include <set>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
-
-// Length of edges with which chains between charts of placed faces of voxels can be drawn on a surface: short ones at the
-// chains, and elsewhere as long as they are far from these.
-class Length_of_edges_3
-{
-public:
-  // Takes the faces, their charts, and the length at the chains.
-  Length_of_edges_3(const Boundary_mesh_3& faces, const Polycube_charts_3& charts, const double length)
-    : m_points(points_of(faces)), m_lengths(m_points.size(), length), m_least(length / 4), m_nearest(0) // two halvings; a guess
-  {
-    std::set<std::size_t> on_chains;
-    for(const Polycube_chain_3& chain : charts.chains())
-      for(const auto v : charts.vertices(chain))
-        on_chains.insert(v);
-    m_on_chains.assign(on_chains.begin(), on_chains.end());
-    for(const std::size_t p : m_on_chains)
-      m_nearest.add(m_points[p], Vector_3::Zero());
-  }
-
-  // Halves the lengths at some points of chains. Returns whether there was one that has not been halved too often.
-  bool halve(const std::set<std::size_t>& points)
-  {
-    bool has_changed = false;
-    for(const std::size_t p : points)
-      if(m_lengths[p] > m_least)
-      {
-        m_lengths[p] /= 2;
-        has_changed = true;
-      }
-    return has_changed;
-  }
-
-  double operator()(const Vector_3& p) const
-  {
-    const std::size_t nearest = m_on_chains[m_nearest.nearest(p, Vector_3::Zero())];
-    return (std::max)(m_lengths[nearest], (m_points[nearest] - p).norm());
-  }
-
-private:
-  const std::vector<Vector_3> m_points;
-  std::vector<double> m_lengths; // at the points
-  double m_least;
-  std::vector<std::size_t> m_on_chains; // points
-  Nearest_with_normal_3 m_nearest;
-};
 
 // Returns the charts of the facets that have a vertex with a facet, in their order around it: each run of facets with one chart
 // counts once.
@@ -162,22 +115,24 @@ struct Drawn_polycube_3
   std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
 };
 
-// Draws the charts on a surface, whose edges are split to a length near chains, and to shorter ones near chains that are blocked.
+// Draws the charts on a surface, whose edges are split to a length near chains, and to their distance from these elsewhere.
 inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface, const double length,
                                         const Budget& budget)
 {
-  Length_of_edges_3 lengths(polycube.faces.mesh, polycube.charts, length);
-  for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
-  {
-    Drawn_polycube_3 result = { surface };
-    split_long_edges_3(lengths, result.surface);
-    Routed_charts_3 charts(result.surface, polycube.faces, polycube.charts, polycube.size_of_voxels);
-    result.chart_of_facet = charts.run(budget);
-    if(!result.chart_of_facet.empty())
-      return result;
-    has_changed = lengths.halve(charts.blocked_points());
-  }
-  return {};
+  std::vector<Vector_3> points;
+  Nearest_with_normal_3 nearest(0);
+  for(const Polycube_chain_3& chain : polycube.charts.chains())
+    for(const auto v : polycube.charts.vertices(chain))
+    {
+      points.push_back(polycube.faces.point(v));
+      nearest.add(points.back(), Vector_3::Zero());
+    }
+  Drawn_polycube_3 result = { surface };
+  split_long_edges_3([&](const Vector_3& p)
+                     { return (std::max)(length, (points[nearest.nearest(p, Vector_3::Zero())] - p).norm()); }, result.surface);
+  result.chart_of_facet
+    = Routed_charts_3(result.surface, polycube.faces, polycube.charts, polycube.size_of_voxels).run(budget);
+  return result;
 }
 
 // Splits edges that lead through the inside of a chart from one vertex of its border to another.

@@ -54,15 +54,10 @@ public:
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
-      for(const auto v : chain(*blocked))
-        m_blocked_points.insert(v);
       std::rotate(order.begin(), blocked, blocked + 1); // it comes first
     }
     return {};
   }
-
-  // Returns the points of the faces on the chains whose paths were blocked.
-  const std::set<std::size_t>& blocked_points() const { return m_blocked_points; }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -84,7 +79,8 @@ private:
   bool route(const std::size_t i)
   {
     const auto& halfedges = m_charts.chains()[i].halfedges;
-    const auto first = m_first_halfedges.at(halfedges.front()), last = m_first_halfedges.at(m_faces.mesh.opposite(halfedges.back()));
+    const auto first = m_first_halfedges.at(halfedges.front()),
+               last = m_first_halfedges.at(m_faces.mesh.opposite(halfedges.back()));
     std::vector<std::size_t> path = shortest_path(m_mesh.target(first), m_mesh.target(last), chain(i));
     if(path.empty())
       return false;
@@ -165,7 +161,6 @@ private:
   Vertices_of_corners_3 m_corners;
   std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index> m_first_halfedges;
   std::vector<bool> m_is_used;
-  std::set<std::size_t> m_blocked_points;
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

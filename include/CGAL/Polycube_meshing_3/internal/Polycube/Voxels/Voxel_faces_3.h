@@ -173,9 +173,9 @@ inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std:
   return result;
 }
 
-// Returns whether pieces, one for each of the faces of voxels as they were once, form the charts of the voxels as they are now: they
-// are connected in each chart, and meet at as many corners as the charts, those of the same charts at each. Otherwise, an edge of
-// the polycube might begin and end at one point.
+// Returns whether pieces, one for each of the faces of voxels as they were once, form the charts of the voxels as they are now:
+// they are connected in each chart, and meet at as many corners as the charts, those of the same charts at each. Otherwise, an
+// edge of the polycube might begin and end at one point.
 inline bool form_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
                         const std::vector<std::size_t>& face_of_piece)
 {

@@ -123,7 +123,7 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
-  constexpr std::array<double, 2> lengths_of_edges = { 1, 0.5 }; // in voxels; the second one if halves at blocked borders fail
+  constexpr std::array<double, 3> lengths_of_edges = { 1, 0.5, 0.25 }; // in voxels; shorter ones if chains are blocked
   const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
   const auto cost = [](const Surface_map_3& map) { return map.distortion * static_cast<double>(map.images.size()); }; // a guess
   std::mt19937 random; // of a fixed seed

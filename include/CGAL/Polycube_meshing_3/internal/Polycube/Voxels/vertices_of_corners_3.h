@@ -41,8 +41,8 @@ inline std::vector<Vector_3> normals_of_vertices(const Boundary_mesh_3& mesh)
 using Vertices_of_corners_3 = std::map<Polycube_charts_3::Vertex, Polycube_charts_3::Vertex>;
 
 // Returns the halfedges that leave a corner between two charts, in their order around it.
-inline std::vector<Boundary_mesh_3::Halfedge_index> chains_from_corner(const Boundary_mesh_3& faces, const Polycube_charts_3& charts,
-                                                                       const Polycube_charts_3::Vertex corner)
+inline std::vector<Boundary_mesh_3::Halfedge_index>
+chains_from_corner(const Boundary_mesh_3& faces, const Polycube_charts_3& charts, const Polycube_charts_3::Vertex corner)
 {
   std::vector<Boundary_mesh_3::Halfedge_index> result;
   for(const auto h : CGAL::halfedges_around_source(corner, faces))
@@ -51,8 +51,8 @@ inline std::vector<Boundary_mesh_3::Halfedge_index> chains_from_corner(const Bou
   return result;
 }
 
-// Finds a vertex for each corner: the nearest one with enough edges, and with two edges at least to any other. None if there is no
-// such vertex.
+// Finds a vertex for each corner: the nearest one with enough edges, and with two edges at least to any other. None if there is
+// no such vertex.
 inline Vertices_of_corners_3 vertices_of_corners_3(const Boundary_mesh_3& mesh, const Voxel_faces_3& faces,
                                                    const Polycube_charts_3& charts)
 {
@@ -125,8 +125,8 @@ inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<
   return result;
 }
 
-// Chooses for each halfedge with which a chain leaves a corner a halfedge that leaves the vertex of the corner, in a direction close
-// to it and in the same order. None if there are too few.
+// Chooses for each halfedge with which a chain leaves a corner one that leaves the vertex of the corner, in a direction close to
+// it. Both have the same order around. None if there are too few.
 inline std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index>
 first_halfedges_of_chains_3(const Boundary_mesh_3& mesh, const Boundary_mesh_3& faces, const Polycube_charts_3& charts,
                             const Vertices_of_corners_3& vertices)
