@@ -37,7 +37,6 @@ public:
     move_all();
     improve_worst_corners();
     approach_boundary();
-    leave_interfaces();
   }
 
 private:
@@ -148,19 +147,6 @@ private:
       evaluate();
       smooth(usual_price * weight);
       in_vain = is_better(m_best.result, before, m_best.edge) ? 0 : in_vain + 1;
-    }
-  }
-
-  // Lets vertices of poor corners leave the interfaces.
-  void leave_interfaces()
-  {
-    constexpr double least_scaled_jacobian = 0.02; // a guess
-    for(int round = 0; round < patience && m_result.minimum_scaled_jacobian < least_scaled_jacobian
-        && m_budget.may_begin_round(Phase::HEXAHEDRA, "interfaces") && m_hexahedra.leave_interfaces(flat_scaled_jacobian); ++round)
-    {
-      m_hexahedra.improve(steps, true, Corners_to_improve::POOR);
-      evaluate();
-      smooth(usual_price);
     }
   }
 

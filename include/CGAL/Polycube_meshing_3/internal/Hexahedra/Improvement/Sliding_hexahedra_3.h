@@ -162,30 +162,6 @@ public:
     return is_on_line;
   }
 
-  // Lets vertices of corners whose scaled Jacobian is below a bound leave the interfaces: first their lines, then the surfaces.
-  // Vertices on the boundary stay there. Returns whether any vertex was on an interface.
-  bool leave_interfaces(const double bound)
-  {
-    std::vector<bool> is_at_poor(m_positions.size(), false);
-    for(const std::array<std::size_t, 4>& corner : m_corners.corners())
-      if(scaled_jacobian(edge_matrix(m_mesh.points, corner)) < bound)
-        for(const std::size_t v : corner)
-          is_at_poor[v] = true;
-    bool is_on_interface = false;
-    for(std::size_t v = 0; v < m_positions.size(); ++v)
-    {
-      Position_3& position = m_positions[v];
-      if(!is_at_poor[v] || position.surface == &boundary())
-        continue;
-      is_on_interface = true;
-      const bool may_leave = position.freedom == Freedom_3::SURFACE && !position.is_on_boundary;
-      position.freedom = may_leave ? Freedom_3::SPACE : Freedom_3::SURFACE;
-      if(may_leave || position.is_on_boundary)
-        position.surface = &boundary();
-    }
-    return is_on_interface;
-  }
-
 private:
   static constexpr double pull = 5; // a guess; weight of covering the boundary: hardly makes corners worse
   static constexpr double firm_hold_of_lines = 15; // a guess; relative to other steps, as the worst corners weigh more
