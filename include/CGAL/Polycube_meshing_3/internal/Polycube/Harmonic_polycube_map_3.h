@@ -25,7 +25,7 @@ struct Harmonic_chart_2 : Chart_triangles_2
 {
   struct Function
   {
-    int plane;       // number of the coordinate
+    int plane;       // that has the coordinate
     int row;         // 0 for the first coordinate in the plane, 1 for the second one
     VectorXd values; // at the vertices
   };
@@ -67,41 +67,20 @@ public:
   Harmonic_polycube_map_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_planes_3& planes)
     : m_mesh(mesh), m_planes(planes)
   {
-    number_planes(charts);
-    std::vector<std::vector<Boundary_mesh_3::Face_index> > faces(planes.size());
+    std::vector<std::vector<Boundary_mesh_3::Face_index> > faces(charts.number_of_charts());
     for(const auto f : mesh.faces())
       faces[charts.chart_of_face()[f]].push_back(f);
     const Edge_positions positions = positions_on_edges(charts);
     for(std::size_t c = 0; c < faces.size(); ++c)
     {
       m_charts.emplace_back(mesh, faces[c]);
-      m_charts.back().plane = number(c);
+      m_charts.back().plane = static_cast<int>(planes[c]);
       m_charts.back().sign = sign_of_direction(charts.labels()[c]);
       add_functions(charts.plane_axes(c), positions, m_charts.back());
     }
   }
 
   const std::vector<Harmonic_chart_2>& charts() const { return m_charts; }
-
-  // Return the areas of the charts of each plane, and the axes along which the coordinates of planes are.
-  const VectorXd& areas() const { return m_areas; }
-  const std::vector<int>& axes() const { return m_axes; }
-
-  // Return coordinates of charts as those of their planes, and the reverse.
-  VectorXd of_planes(const std::vector<double>& of_charts) const
-  {
-    VectorXd result(m_areas.size());
-    for(std::size_t c = 0; c < of_charts.size(); ++c)
-      result[number(c)] = of_charts[c];
-    return result;
-  }
-  std::vector<double> of_charts(const VectorXd& of_planes) const
-  {
-    std::vector<double> result;
-    for(std::size_t c = 0; c < m_planes.size(); ++c)
-      result.push_back(of_planes[number(c)]);
-    return result;
-  }
 
   // Returns the volume of the polycube, by Gauss's theorem.
   double volume(const VectorXd& coordinates) const
@@ -118,27 +97,10 @@ private:
   // Image of a vertex of an edge of the polycube, by axis: in two planes, or between them.
   struct Edge_position
   {
-    std::array<int, 3> first, second; // planes
+    std::array<std::size_t, 3> first, second; // planes
     std::array<double, 3> part;       // of the second one
   };
   using Edge_positions = std::map<int, Edge_position>; // by vertex
-
-  void number_planes(const Polycube_charts_3& charts)
-  {
-    m_number.assign(m_planes.size(), -1);
-    for(std::size_t g = 0; g < m_planes.size(); ++g)
-      if(m_planes[g] == g)
-      {
-        m_number[g] = static_cast<int>(m_axes.size());
-        m_axes.push_back(charts.axis(g));
-      }
-    m_areas.resize(m_axes.size());
-    for(std::size_t g = 0; g < m_planes.size(); ++g)
-      if(m_planes[g] == g)
-        m_areas[m_number[g]] = m_planes.areas()[g];
-  }
-
-  int number(const std::size_t chart) const { return m_number[m_planes[chart]]; }
 
   // Returns the positions of the vertices of edges, by arc length between the corners.
   Edge_positions positions_on_edges(const Polycube_charts_3& charts) const
@@ -148,7 +110,7 @@ private:
     {
       const std::vector<Polycube_charts_3::Vertex> path = charts.vertices(chain);
       const std::vector<double> length = arc_lengths(m_mesh, path);
-      Edge_position position = { numbers_at(path.front()), numbers_at(path.back()), {} };
+      Edge_position position = { m_planes.at(path.front()), m_planes.at(path.back()), {} };
       for(std::size_t i = 0; i < path.size(); ++i)
       {
         position.part[chain.axis] = length[i] / length.back();
@@ -156,12 +118,6 @@ private:
       }
     }
     return result;
-  }
-
-  std::array<int, 3> numbers_at(const Polycube_charts_3::Vertex corner) const
-  {
-    const auto [a, b, c] = m_planes.at(corner);
-    return { number(a), number(b), number(c) };
   }
 
   // Adds the harmonic functions by which the coordinates of planes move the vertices of a chart, along both of its axes.
@@ -173,8 +129,8 @@ private:
     const Harmonic_extension_2 extension(chart, is_held);
     for(const int row : { 0, 1 })
     {
-      std::map<int, VectorXd> values_in_plane;
-      const auto add = [&](const int plane, const std::size_t v, const double part)
+      std::map<std::size_t, VectorXd> values_in_plane;
+      const auto add = [&](const std::size_t plane, const std::size_t v, const double part)
       { values_in_plane.emplace(plane, VectorXd::Zero(chart.vertices.size())).first->second[v] += part; };
       for(std::size_t v = 0; v < is_held.size(); ++v)
         if(is_held[v])
@@ -186,16 +142,13 @@ private:
       for(auto& [plane, values] : values_in_plane)
       {
         extension.apply(values);
-        chart.functions.push_back({ plane, row, std::move(values) });
+        chart.functions.push_back({ static_cast<int>(plane), row, std::move(values) });
       }
     }
   }
 
   const Boundary_mesh_3& m_mesh;
   const Polycube_planes_3& m_planes;
-  std::vector<int> m_number; // of a plane, in the order of the coordinates
-  std::vector<int> m_axes;
-  VectorXd m_areas;
   std::vector<Harmonic_chart_2> m_charts;
 };
 

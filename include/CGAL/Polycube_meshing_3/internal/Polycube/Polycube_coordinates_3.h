@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 #include <vector>
 
@@ -88,7 +89,7 @@ public:
   std::vector<double> of_charts() const
   {
     std::vector<double> result;
-    for(std::size_t c = 0; c < m_planes.size(); ++c)
+    for(std::size_t c = 0; c < m_charts.number_of_charts(); ++c)
       result.push_back(m_coordinate[m_planes[c]]);
     return result;
   }
@@ -131,17 +132,17 @@ private:
   {
     std::vector<std::size_t> planes, variables(m_planes.size());
     std::vector<double> areas, moments;
-    for(std::size_t c = 0; c < m_planes.size(); ++c)
-      if(m_planes[c] == c && m_charts.axis(c) == axis)
+    for(std::size_t p = 0; p < m_planes.size(); ++p)
+      if(m_planes.axis(p) == axis)
       {
-        variables[c] = planes.size();
-        planes.push_back(c);
-        areas.push_back(m_planes.areas()[c]);
-        moments.push_back(areas.back() * wanted[c]);
+        variables[p] = planes.size();
+        planes.push_back(p);
+        areas.push_back(m_planes.areas()[p]);
+        moments.push_back(areas.back() * wanted[p]);
       }
     std::vector<Order_of_coordinates> orders;
     for(const auto& [first, second, distance] : m_orders)
-      if(m_charts.axis(first) == axis)
+      if(m_planes.axis(first) == axis)
         orders.push_back({ variables[first], variables[second], distance });
     const std::optional<Ordered_coordinates> coordinates = ordered_coordinates_3(areas, moments, orders, m_grid, axis);
     if(!coordinates)
@@ -158,22 +159,21 @@ private:
   void join_equal_coordinates()
   {
     std::vector<std::size_t> planes(m_planes.size());
-    for(std::size_t c = 0; c < planes.size(); ++c)
-      planes[c] = m_planes[c];
-    std::sort(planes.begin(), planes.end(), [this](const std::size_t c, const std::size_t d)
+    std::iota(planes.begin(), planes.end(), std::size_t(0));
+    std::sort(planes.begin(), planes.end(), [this](const std::size_t p, const std::size_t q)
     {
-      return std::pair(m_charts.axis(c), m_coordinate[c]) < std::pair(m_charts.axis(d), m_coordinate[d]);
+      return std::pair(m_planes.axis(p), m_coordinate[p]) < std::pair(m_planes.axis(q), m_coordinate[q]);
     });
     for(std::size_t i = 1; i < planes.size(); ++i)
       if(const double previous = m_coordinate[planes[i - 1]];
-         m_charts.axis(planes[i]) == m_charts.axis(planes[i - 1]) && m_coordinate[planes[i]] - previous < 1e-12)
+         m_planes.axis(planes[i]) == m_planes.axis(planes[i - 1]) && m_coordinate[planes[i]] - previous < 1e-12)
         m_coordinate[planes[i]] = previous;
   }
 
   void add_order(const Order_of_coordinates& order)
   {
     m_orders.push_back(order);
-    m_is_solved[m_charts.axis(order.first)] = false;
+    m_is_solved[m_planes.axis(order.first)] = false;
     m_order.add(order.first, order.second);
   }
 

@@ -38,22 +38,27 @@ class Polycube_lengths_3
 {
 public:
   Polycube_lengths_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Polycube_planes_3& planes)
-    : m_mesh(mesh), m_map(mesh, charts, planes)
-  {}
+    : m_mesh(mesh), m_planes(planes), m_map(mesh, charts, planes), m_weights(planes.size())
+  {
+    for(std::size_t p = 0; p < planes.size(); ++p)
+      m_weights[p] = weight_of_position * planes.areas()[p];
+  }
 
-  // Returns the coordinates of the faces of the charts, from those to start with, in planes of a grid if there is one.
+  // Returns the coordinates of the planes, from those of charts to start with, in planes of a grid if there is one.
   std::vector<double> run(const std::vector<double>& coordinates, const Plane_grid_3& grid, const Budget& budget) const
   {
     constexpr double rounding = 1e-12; // far below the energy of any polycube that is not the body itself
-    const VectorXd start = m_map.of_planes(coordinates);
+    VectorXd start(m_planes.size());
+    for(std::size_t c = 0; c < coordinates.size(); ++c)
+      start[m_planes[c]] = coordinates[c];
     if(energy(start, start) < rounding)
-      return coordinates;
+      return { start.data(), start.data() + start.size() };
     VectorXd x = minimum_of_energy(start, budget);
     if(const double volume = m_map.volume(x); volume > 0)
       x *= (std::max)(1., std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume));
     if(grid.spacing > 0)
       round_to_planes(grid, x);
-    return m_map.of_charts(x);
+    return { x.data(), x.data() + x.size() };
   }
 
 private:
@@ -106,7 +111,7 @@ private:
   // Adds to the sum over facets what holds the polycube in its place.
   double energy(const VectorXd& x, const VectorXd& start) const
   {
-    double result = weight_of_position * (x - start).cwiseAbs2().dot(m_map.areas());
+    double result = (x - start).cwiseAbs2().dot(m_weights);
     for(const Harmonic_chart_2& chart : m_map.charts())
       for(const Chart_triangles_2::Triangle& t : chart.triangles)
       {
@@ -123,8 +128,7 @@ private:
   // which those on the diagonal have the weights log(s) / (s (s - 1)).
   Sum_of_squares sum_of_squares(const VectorXd& x, const VectorXd& start) const
   {
-    const VectorXd weights = weight_of_position * m_map.areas();
-    Sum_of_squares result = { weights.asDiagonal(), weights.cwiseProduct(start) };
+    Sum_of_squares result = { m_weights.asDiagonal(), m_weights.cwiseProduct(start) };
     for(const Harmonic_chart_2& chart : m_map.charts())
       for(const Chart_triangles_2::Triangle& t : chart.triangles)
         add_squares(chart, t, x, result);
@@ -167,9 +171,9 @@ private:
   {
     Vector_3 largest = Vector_3::Zero();
     for(Eigen::Index g = 0; g < x.size() && grid.may_move; ++g)
-      if(const int axis = m_map.axes()[g]; m_map.areas()[g] > largest[axis])
+      if(const int axis = m_planes.axis(g); m_planes.areas()[g] > largest[axis])
       {
-        largest[axis] = m_map.areas()[g];
+        largest[axis] = m_planes.areas()[g];
         grid.origin[axis] = x[g];
       }
     const std::unique_ptr<Symmetric_sparse_solver> solver = factorized(sum_of_squares(x, x).A);
@@ -182,7 +186,7 @@ private:
     }
     const auto distance = [&](const Eigen::Index g)
     {
-      const double multiple = (x[g] - grid.origin[m_map.axes()[g]]) / grid.spacing;
+      const double multiple = (x[g] - grid.origin[m_planes.axis(g)]) / grid.spacing;
       return grid.spacing * (std::round(multiple) - multiple);
     };
     std::vector<Eigen::Index> left(x.size());
@@ -207,7 +211,9 @@ private:
   static constexpr double weight_of_position = 0.01; // a guess; hardly changes lengths, but holds the polycube
 
   const Boundary_mesh_3& m_mesh;
+  const Polycube_planes_3& m_planes;
   const Harmonic_polycube_map_3 m_map;
+  VectorXd m_weights; // of positions, by plane
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

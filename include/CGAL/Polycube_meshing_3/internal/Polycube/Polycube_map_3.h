@@ -104,11 +104,11 @@ public:
   double distortion() const { return distortion_3(m_mesh, m_images); }
 
 private:
-  // Finds the polycube that is closest to coordinates of its faces, by chart.
-  Error_code start_close_to(const std::vector<double>& coordinates_of_charts, const Budget& budget)
+  // Finds the polycube that is closest to coordinates of its planes.
+  Error_code start_close_to(const std::vector<double>& coordinates_of_planes, const Budget& budget)
   {
     Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, m_grid, budget);
-    if(!coordinates.run(coordinates_of_charts))
+    if(!coordinates.run(coordinates_of_planes))
       return ERROR_NO_POLYCUBE;
     m_grid = coordinates.grid();
     return start_at(coordinates.of_charts(), budget);

@@ -15,21 +15,20 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_charts_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Planes of a polycube, each with the charts that are mapped to faces in it: those of an axis that meet in a corner are. The
-// number of a plane is that of one of its charts.
+// Planes of a polycube, each with the charts that are mapped to faces in it: those of an axis that meet in a corner are.
 class Polycube_planes_3
 {
 public:
   Polycube_planes_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
-    : m_plane(charts.number_of_charts()), m_areas(m_plane.size(), 0)
   {
-    Disjoint_sets sets(m_plane.size());
+    Disjoint_sets sets(charts.number_of_charts());
     for(const auto v : charts.corners())
     {
       const auto around = CGAL::halfedges_around_target(v, mesh);
@@ -39,17 +38,25 @@ public:
       for(const auto h : around)
         sets.unite(charts.chart(h), first[charts.axis(charts.chart(h))]);
     }
-    for(std::size_t c = 0; c < m_plane.size(); ++c)
-      m_plane[c] = sets.find(c);
+    m_plane = sets.numbers();
     for(auto& [v, planes] : m_at_corner)
       for(std::size_t& plane : planes)
         plane = m_plane[plane];
+    m_axes.resize(1 + *std::max_element(m_plane.begin(), m_plane.end()));
+    for(std::size_t c = 0; c < m_plane.size(); ++c)
+      m_axes[m_plane[c]] = charts.axis(c);
+    m_areas.assign(m_axes.size(), 0);
     for(const auto f : mesh.faces())
       m_areas[m_plane[charts.chart_of_face()[f]]] += area_of_face(mesh, f);
   }
 
+  std::size_t size() const { return m_axes.size(); }
+
+  // Returns the plane of a chart.
   std::size_t operator[](const std::size_t chart) const { return m_plane[chart]; }
-  std::size_t size() const { return m_plane.size(); }
+
+  // Returns the axis that a plane is orthogonal to.
+  int axis(const std::size_t plane) const { return m_axes[plane]; }
 
   // Returns the areas of the charts of each plane.
   const std::vector<double>& areas() const { return m_areas; }
@@ -59,6 +66,7 @@ public:
 
 private:
   std::vector<std::size_t> m_plane; // by chart
+  std::vector<int> m_axes;
   std::vector<double> m_areas;
   std::map<Polycube_charts_3::Vertex, std::array<std::size_t, 3> > m_at_corner;
 };
@@ -71,12 +79,12 @@ inline std::vector<double> mean_coordinates_3(const Boundary_mesh_3& mesh, const
   for(const auto f : mesh.faces())
   {
     const auto [a, b, c] = vertices_of_face(mesh, f);
-    const std::size_t chart = charts.chart_of_face()[f];
-    const int axis = charts.axis(chart);
-    result[planes[chart]] += area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
+    const std::size_t plane = planes[charts.chart_of_face()[f]];
+    const int axis = planes.axis(plane);
+    result[plane] += area_of_face(mesh, f) * (mesh.point(a)[axis] + mesh.point(b)[axis] + mesh.point(c)[axis]) / 3;
   }
-  for(std::size_t g = 0; g < planes.size(); ++g)
-    result[g] /= planes[g] == g ? planes.areas()[g] : 1;
+  for(std::size_t p = 0; p < planes.size(); ++p)
+    result[p] /= planes.areas()[p];
   return result;
 }
 
