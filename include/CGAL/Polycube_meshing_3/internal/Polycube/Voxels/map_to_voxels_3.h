@@ -147,6 +147,8 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
       const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, budget);
       for(const double length : lengths_of_edges)
       {
+        if(length < 0.5 && best.status == OK)
+          break; // a map of many more cells is worth it only if there is no other
         Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, length * size_of_voxels, budget);
         if(drawn.chart_of_facet.empty())
           continue;
