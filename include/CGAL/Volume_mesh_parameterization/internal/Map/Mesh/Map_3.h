@@ -46,7 +46,10 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
 {
   const int n = mesh.number_of_prescribed_vertices();
   if(conditions.empty())
+  {
     positions.rightCols(n) = mesh.target.rightCols(n);
+    return positions;
+  }
   const double rounding = rounding_of_targets(mesh);
   for(std::size_t i = 0; i < conditions.size(); ++i)
   {
