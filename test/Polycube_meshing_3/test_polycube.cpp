@@ -763,7 +763,8 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
   const Voxels_3 voxels = voxels_of({3, 2, 2}, [](const int x, const int y, const int z) { return x != 1 || y != 0 || z != 1; });
   const Voxel_faces_3 faces(voxels);
   std::vector<std::size_t> face_of_piece = faces.faces;
-  CHECK(form_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(are_neighbors_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(are_corners_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
   // on the left, the side, the front, the wall of the notch and the top now meet at one point, each with the same neighbors
   const auto give = [&](const int x, const int y, const std::size_t direction)
   {
@@ -774,7 +775,8 @@ TEST_CASE("a cut between two parts of a border is no border of the voxels")
   give(0, 1, 1);
   give(0, 0, 3);
   give(1, 0, 0);
-  CHECK(!form_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(are_neighbors_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
+  CHECK(!are_corners_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece));
 }
 
 TEST_CASE("edges of a surface are split where short ones are asked for, with no sharp angles")

@@ -143,6 +143,43 @@ private:
   }
 };
 
+inline std::vector<std::pair<std::size_t, std::size_t> >
+without_repetitions(std::vector<std::pair<std::size_t, std::size_t> > pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+// Returns whether pieces, one for each of the faces of voxels as they were once, are connected in each chart of the voxels as they
+// are now, and have the same neighbors as the charts.
+inline bool are_neighbors_those_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                          const std::vector<std::size_t>& face_of_piece)
+{
+  const auto chart_of_piece = [&](const std::size_t c) { return charts.chart_of_face[face_of_piece[c]]; };
+  std::vector<std::pair<std::size_t, std::size_t> > neighbors, neighbors_of_pieces;
+  for(const std::size_t face : charts.faces)
+    for_each_orthogonal_direction(face % 6, [&](const std::size_t e)
+    {
+      if(const std::size_t a = charts.chart_of_face[face], b = charts.chart_of_face[face_across(charts.voxels, face, e)]; a < b)
+        neighbors.emplace_back(a, b);
+    });
+  Disjoint_sets sets(face_of_piece.size());
+  for(const auto h : old_faces.mesh.halfedges())
+  {
+    const std::size_t piece = old_faces.mesh.face(h), other = old_faces.mesh.face(old_faces.mesh.opposite(h));
+    if(const std::size_t a = chart_of_piece(piece), b = chart_of_piece(other); a == b)
+      sets.unite(piece, other);
+    else if(a < b)
+      neighbors_of_pieces.emplace_back(a, b);
+  }
+  std::vector<std::size_t> parts(charts.labels.size(), 0);
+  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
+    parts[chart_of_piece(c)] += sets.find(c) == c;
+  return std::all_of(parts.begin(), parts.end(), [](const std::size_t n) { return n == 1; })
+         && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_pieces));
+}
+
 // Returns the two points of the edge between the face of a voxel in a direction and the one across another direction.
 inline std::array<std::size_t, 2> points_of_edge(const Voxels_3& voxels, const std::size_t face, const std::size_t direction)
 {
@@ -173,11 +210,10 @@ inline std::vector<std::vector<std::size_t> > charts_at_corners(std::vector<std:
   return result;
 }
 
-// Returns whether pieces, one for each of the faces of voxels as they were once, form the charts of the voxels as they are now:
-// they are connected in each chart, and meet at as many corners as the charts, those of the same charts at each. Otherwise, an
-// edge of the polycube might begin and end at one point.
-inline bool form_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
-                        const std::vector<std::size_t>& face_of_piece)
+// Returns whether the pieces meet at as many corners as the charts of the voxels, and those of the same charts at each.
+// Otherwise, an edge of the polycube would begin and end at one point.
+inline bool are_corners_those_of_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& old_faces,
+                                        const std::vector<std::size_t>& face_of_piece)
 {
   std::vector<std::pair<std::size_t, std::size_t> > ends, ends_of_pieces;
   for(const std::size_t face : charts.faces)
@@ -188,22 +224,12 @@ inline bool form_charts(const Charts_of_voxels_3& charts, const Voxel_faces_3& o
           ends.emplace_back(p, chart);
     });
   const Boundary_mesh_3& mesh = old_faces.mesh;
-  const auto chart_of_piece = [&](const std::size_t c) { return charts.chart_of_face[face_of_piece[c]]; };
-  Disjoint_sets sets(face_of_piece.size());
+  const auto chart = [&](const auto h) { return charts.chart_of_face[face_of_piece[mesh.face(h)]]; };
   for(const auto h : mesh.halfedges())
-  {
-    const std::size_t piece = mesh.face(h), other = mesh.face(mesh.opposite(h));
-    if(chart_of_piece(piece) == chart_of_piece(other))
-      sets.unite(piece, other);
-    else
+    if(chart(h) != chart(mesh.opposite(h)))
       for(const std::size_t v : { mesh.source(h), mesh.target(h) })
-        ends_of_pieces.emplace_back(v, chart_of_piece(piece));
-  }
-  std::vector<std::size_t> parts(charts.labels.size(), 0);
-  for(std::size_t c = 0; c < face_of_piece.size(); ++c)
-    parts[chart_of_piece(c)] += sets.find(c) == c;
-  return std::all_of(parts.begin(), parts.end(), [](const std::size_t n) { return n == 1; })
-         && charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_pieces));
+        ends_of_pieces.emplace_back(v, chart(h));
+  return charts_at_corners(std::move(ends)) == charts_at_corners(std::move(ends_of_pieces));
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

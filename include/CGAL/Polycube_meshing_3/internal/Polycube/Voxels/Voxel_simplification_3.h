@@ -53,9 +53,11 @@ struct Pieces_of_surface_3
 class Voxel_simplification_3
 {
 public:
-  // Takes the faces of the voxels at first, which the pieces belong to.
-  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Pieces_of_surface_3& pieces)
-    : m_voxels(voxels), m_faces(faces), m_costs(pieces), m_face_of_piece(faces.faces),
+  // Takes the faces of the voxels at first, which the pieces belong to, and whether each move keeps corners where those of the
+  // pieces are.
+  Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Pieces_of_surface_3& pieces,
+                         const bool do_keep_corners)
+    : m_voxels(voxels), m_faces(faces), m_costs(pieces), m_do_keep_corners(do_keep_corners), m_face_of_piece(faces.faces),
       m_is_moving(voxels.is_inside.size(), false)
   {
     for(std::size_t c = 0; c < m_face_of_piece.size(); ++c)
@@ -285,7 +287,9 @@ private:
     std::optional<std::vector<std::size_t> > present = voxels;
     for(int layer = 0; layer < std::abs(best) && present; ++layer)
       present = move(*present, d, best > 0, changes);
-    if(form_charts(Charts_of_voxels_3(m_voxels), m_faces, m_face_of_piece))
+    const Charts_of_voxels_3 charts(m_voxels);
+    if(are_neighbors_those_of_charts(charts, m_faces, m_face_of_piece)
+       && (!m_do_keep_corners || are_corners_those_of_charts(charts, m_faces, m_face_of_piece)))
       return true;
     revert(changes);
     return false;
@@ -294,6 +298,7 @@ private:
   Voxels_3& m_voxels;
   const Voxel_faces_3& m_faces;
   const Pieces_of_surface_3& m_costs;
+  const bool m_do_keep_corners;
   std::vector<std::size_t> m_face_of_piece;
   std::unordered_map<std::size_t, std::vector<std::size_t> > m_pieces; // of each face
   std::vector<bool> m_is_moving;

@@ -67,19 +67,30 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
   return result;
 }
 
-// Places the faces of voxels on a surface, and simplifies the voxels.
-inline Polycube_of_voxels_3 polycube_of_voxels_3(Voxels_3 voxels, const Unit_surface_3& surface, const Budget& budget)
+// Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
+// leave more charts; if corners of the polycube are not those of its charts then, which no map has, all moves keep them.
+inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Unit_surface_3& surface, const Budget& budget)
 {
+  Voxels_3 voxels = given;
   const Facets_3 facets(surface.mesh);
   const Voxel_faces_3 faces = Placement_of_voxel_faces_3(facets, voxels.spacing).run(Voxel_faces_3(voxels));
   const Label_functional_3 functional(surface.mesh, surface.is_sharp);
   const Pieces_of_surface_3 pieces(surface.mesh, functional, nearest_voxel_faces_3(facets, faces, voxels.spacing),
                                    faces.faces.size());
-  Voxel_simplification_3 simplification(voxels, faces, pieces);
-  simplification.run(budget);
+  std::vector<std::size_t> face_of_piece;
+  for(const bool do_keep_corners : { false, true })
+  {
+    voxels = given;
+    Voxel_simplification_3 simplification(voxels, faces, pieces, do_keep_corners);
+    simplification.run(budget);
+    face_of_piece = simplification.face_of_piece();
+    if(are_corners_those_of_charts(Charts_of_voxels_3(voxels), faces, face_of_piece))
+      break;
+  }
+
   std::vector<std::size_t> labels;
   std::vector<int> planes;
-  for(const std::size_t face : simplification.face_of_piece())
+  for(const std::size_t face : face_of_piece)
   {
     labels.push_back(face % 6);
     planes.push_back(voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0));
