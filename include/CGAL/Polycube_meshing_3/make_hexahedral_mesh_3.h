@@ -20,6 +20,7 @@
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/check_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
