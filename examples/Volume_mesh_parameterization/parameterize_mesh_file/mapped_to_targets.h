@@ -68,8 +68,8 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
   return result;
 }
 
-// Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is. Where vertices are at
-// edges of the surface, rounding may choose other normals than in the steps that were allowed, so the result is judged again.
+// Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is. The
+// report needs the measure of the result, which is not taken if facets are turned over or intersect each other.
 template <typename NamedParameters>
 Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
 {

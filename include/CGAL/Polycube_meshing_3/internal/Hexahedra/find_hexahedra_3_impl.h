@@ -127,7 +127,7 @@ inline Best_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& pro
     return best;
   if(!staircases)
     staircases = make_staircases(budget);
-  return is_better_as_staircases(staircases->result, best) ? *staircases : best;
+  return is_better_as_staircases(staircases->result, best) ? std::move(*staircases) : std::move(best);
 }
 
 CGAL_POLYCUBE_MESHING_3_INLINE

@@ -41,8 +41,8 @@ inline Boundary_mesh_3::Edge_index longest_edge(const Boundary_mesh_3& mesh, con
   return *std::max_element(around.begin(), around.end(), [&](const auto e, const auto f) { return lengths[e] < lengths[f]; });
 }
 
-// Returns edges once each, with others such that no facet is split unless its longest edge is, which keeps its angles from
-// becoming ever smaller; the longest one first.
+// Returns edges once each, with others such that no facet is split unless its longest edge is. This keeps its angles from becoming
+// ever smaller if longer edges are split first.
 inline std::vector<Boundary_mesh_3::Edge_index> with_longest_edges(const Boundary_mesh_3& mesh,
                                                                    const std::vector<Boundary_mesh_3::Edge_index>& edges,
                                                                    const std::vector<double>& lengths)
@@ -60,7 +60,6 @@ inline std::vector<Boundary_mesh_3::Edge_index> with_longest_edges(const Boundar
   for(std::size_t i = 0; i < result.size(); ++i) // also those that are added here
     for(const auto h : { mesh.halfedge(result[i]), mesh.opposite(mesh.halfedge(result[i])) })
       add(longest_edge(mesh, h, lengths));
-  std::stable_sort(result.begin(), result.end(), [&](const auto e, const auto f) { return lengths[e] > lengths[f]; });
   return result;
 }
 

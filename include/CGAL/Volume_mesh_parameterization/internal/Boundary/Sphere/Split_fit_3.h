@@ -61,7 +61,7 @@ private:
   };
 
   // Returns the edges whose images have midpoints farther than a distance from the target, and the longest edges of the facets
-  // that cover vertices of the target this far from the image; also edges that must be split with them.
+  // that cover vertices of the target this far from the image; also edges that must be split with them. Longer ones come first.
   Edges edges_beyond(const double distance) const
   {
     Numbered_surface_3 image;
@@ -85,7 +85,9 @@ private:
         const auto [a, b, c] = image.facets[on_image.facet_in_direction(m_target.directions[v])];
         edges.push_back(longest_edge(m_fit.mesh, m_fit.mesh.halfedge(vertex_index(a), vertex_index(b)), lengths));
       }
-    return with_longest_edges(m_fit.mesh, edges, lengths);
+    edges = with_longest_edges(m_fit.mesh, edges, lengths);
+    std::stable_sort(edges.begin(), edges.end(), [&](const auto e, const auto f) { return lengths[e] > lengths[f]; });
+    return edges;
   }
 
   // Splits edges and moves vertices. Leaves out edges whose new vertices have facets that are spoilt. Returns whether there are

@@ -58,7 +58,8 @@ public:
     }
   }
 
-  // Returns the unknowns without the vertices for which `is_known(v)` is true.
+  // Returns the unknowns without the vertices for which `is_known(v)` is true. It keeps their normals: all unknowns take over the
+  // normals after a step of some.
   template <typename Predicate>
   Unknowns_3 without(const Predicate& is_known) const
   {
