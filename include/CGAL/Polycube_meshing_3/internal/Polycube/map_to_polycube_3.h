@@ -90,4 +90,8 @@ Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budg
 
 } // namespace CGAL::Polycube_meshing_3::internal
 
+#ifndef CGAL_POLYCUBE_MESHING_3_COMPILED_ENGINE
+#  include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3_impl.h>
+#endif
+
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_TO_POLYCUBE_3_H
