@@ -1,6 +1,6 @@
 // Partitions a mesh as several processes would, without running them: how many cells, vertices and neighbors would each
 // have? Prints a line of comma-separated values for each number of parts.
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/MPI_communicator_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/partition_3.h>

@@ -6,7 +6,7 @@
 // Both meshes have the same cells. Without arguments, a grid of 1.3 million cells is mapped onto a twisted one.
 #include "jittered_grid.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 

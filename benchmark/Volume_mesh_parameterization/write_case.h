@@ -1,7 +1,7 @@
 #ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_WRITE_CASE_H
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_BENCHMARK_WRITE_CASE_H
 
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <array>

@@ -1,6 +1,6 @@
 // Fits a cube to a scan with a head and four feet, whose triangles are others, by five landmarks. Then the boundary slides on it.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Surface_fit_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>

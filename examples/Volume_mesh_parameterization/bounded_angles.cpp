@@ -1,6 +1,6 @@
 // Maps a cube onto a dented one, and brings the distortion of angles of every cell below a bound.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 
 #include <array>
 #include <cstdlib>

@@ -4,7 +4,7 @@
 #include <CGAL/Volume_mesh_parameterization/Barrier_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
 

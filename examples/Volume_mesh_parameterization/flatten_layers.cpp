@@ -1,6 +1,6 @@
 // Flattens a folded slab: its top goes to z = 1, its bottom to z = 0. The map finds x and y, and z is the depth as a field.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>

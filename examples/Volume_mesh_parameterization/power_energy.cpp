@@ -1,7 +1,7 @@
 // Maps a cube onto a dented one. Minimizes the third power of the MIPS energy. One chooses a power where the worst
 // cells matter more than the mean.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Power_energy_3.h>

@@ -1,7 +1,7 @@
 // Maps a cube onto a dented one with a soft boundary: no cell is inverted on the way, and the boundary approaches its
 // targets. Linear equations keep the vertices of a plane of symmetry in that plane.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 
 #include <array>
 #include <cstddef>

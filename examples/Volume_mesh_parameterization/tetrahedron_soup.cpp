@@ -1,6 +1,6 @@
 // Maps a tetrahedral mesh that is kept in arrays, without a complex of CGAL.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/Bounded_angle_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Lp_stretch_energy_3.h>

@@ -3,7 +3,7 @@
 #include "array_of_vtu_file.h"
 
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>

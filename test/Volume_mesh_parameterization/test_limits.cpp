@@ -7,7 +7,7 @@
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <CGAL/Timer.h>

@@ -2,7 +2,7 @@
 #include "catch.h"
 #include "cube_mesh.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 

@@ -11,7 +11,7 @@
 #include "notes_on_hexahedra.h"
 #include "read_source.h"
 
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 

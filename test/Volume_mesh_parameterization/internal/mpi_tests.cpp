@@ -6,7 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/Distributed/Distributed_tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/IO.h>
 #include <CGAL/Volume_mesh_parameterization/Distributed/distributed_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Distributed/Distributed_mesh_3.h>

@@ -15,7 +15,7 @@
 #include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/check_hexahedra.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
-#include <CGAL/Volume_mesh_parameterization/IO/MEDIT.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/VTU_writer.h>
 
