@@ -28,7 +28,21 @@ as_root=()
 if [ "$(id -u)" -ne 0 ]; then
   as_root=(sudo)
 fi
+# Runs apt-get. Waits up to ten minutes for other programs that have its locks, for one of which it has an option.
+apt_get()
+{
+  local output attempt
+  for attempt in {1..60}; do
+    if output=$("${as_root[@]}" env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600 "$@" 2>&1 |
+                  tee >(cat >&2)); then
+      return 0
+    fi
+    [[ $output == *"Could not get lock"* ]] || return 1
+    sleep 10
+  done
+  return 1
+}
+
+apt_get update -o Acquire::Languages=none
 # Slim systems leave out documentation, hence the models; reinstalling with this option brings them.
-"${as_root[@]}" apt-get update -q -o Acquire::Languages=none
-"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends --reinstall \
-  -o Dpkg::Options::=--path-include="$models" "${missing[@]}"
+apt_get install -y --no-install-recommends --reinstall -o Dpkg::Options::=--path-include="$models" "${missing[@]}"
