@@ -105,6 +105,16 @@ void call(const C3t3& c3t3, std::unordered_map<Vertex_handle, K::Point_3>& uvw)
 #elif defined START_BY_INDICES
   std::unordered_map<std::size_t, K::Point_3> start;
   CGAL::stretch_minimizing_volume_parameterization(c3t3, uvw_map, params::initial_map(VMP::make_vertex_point_map(start)));
+#elif defined START_IS_A_CONTAINER || defined CONDITIONS_ARE_A_CONTAINER
+  const std::vector<std::array<double, 3> > points;
+  const std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::array<double, 3> > images;
+#  ifdef START_IS_A_CONTAINER
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images, params::initial_map(points));
+#  else
+  const std::vector<VMP::Vertex_condition_3> conditions(4);
+  CGAL::stretch_minimizing_volume_parameterization(points, cells, points, images, params::vertex_condition_map(conditions));
+#  endif
 #elif defined HEXAHEDRA_OF_A_CONTAINER
   CGAL::Polycube_meshing_3::Hexahedron_soup_3 hexahedra;
   CGAL::Polycube_meshing_3::make_hexahedral_mesh_3(c3t3, uvw, 0.1, hexahedra);

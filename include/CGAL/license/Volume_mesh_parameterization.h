@@ -14,7 +14,7 @@
 #if !(__cplusplus >= 201703L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201703L))
 #  error "The package Volume_mesh_parameterization needs C++17: compile with -std=c++17 or later."
 #endif
-// Clang defines no macro for -funsafe-math-optimizations, and does not tell of it.
+// Clang defines no macro for -funsafe-math-optimizations: require_operations_as_written() finds it.
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ != 0) || defined(_M_FP_FAST)
 #  error "The exact check of the map needs NaN and infinity: compile without -ffast-math, -Ofast and -ffinite-math-only."
 #endif

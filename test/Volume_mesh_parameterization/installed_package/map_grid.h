@@ -1,6 +1,7 @@
 // A grid of boxes, and its map to a ball with refinement, which each unit that uses the package makes. No two boxes have the same
 // sides, so that rounding, which flags change, does not choose between equals.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Ball_boundary_parameterizer_3.h>
 
 #include <array>
@@ -43,4 +44,14 @@ static Points images_of_grid()
   if(result.status != VMP::OK)
     throw std::runtime_error(result.message);
   return images;
+}
+
+// Solves sparse systems. Returns nothing if there is no polycube.
+static Points polycube_of_grid()
+{
+  Points points, targets;
+  Cells cells;
+  make_grid(points, cells);
+  CGAL::Polycube_meshing_3::Polycube_boundary_parameterizer_3 polycube;
+  return polycube.parameterize(points, cells, targets) == CGAL::Polycube_meshing_3::OK ? targets : Points();
 }

@@ -152,13 +152,15 @@ void set_conditions(Prescription_3& prescription, const Body_3& body, const std:
   if constexpr(has_conditions<NamedParameters>)
   {
     const auto conditions = parameters::get_parameter(np, internal_np::vertex_condition_map);
-    static_assert(Is_map_of<std::remove_const_t<decltype(conditions)>, Vertex>::value,
-                  "vertex_condition_map must be a property map of vertices, whose values are Vertex_condition_3.");
+    constexpr bool is_map = Is_map_of<std::remove_const_t<decltype(conditions)>, Vertex>::value;
+    static_assert(is_map, "vertex_condition_map must be a property map of vertices: for a container, pass "
+                          "make_vertex_condition_map(container), and for arrays, CGAL::make_property_map(vector).");
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::vertex_is_constrained_t>::value
                   && parameters::is_default_parameter<NamedParameters, internal_np::do_slide_boundary_t>::value,
                   "vertex_condition_map replaces vertex_is_constrained_map and do_slide_boundary: pass one of them.");
-    for(const std::size_t p : points)
-      prescription.conditions[p] = get(conditions, vertex(p));
+    if constexpr(is_map) // otherwise, the compiler would list all functions get()
+      for(const std::size_t p : points)
+        prescription.conditions[p] = get(conditions, vertex(p));
   }
   else
   {
@@ -180,11 +182,13 @@ void set_initial_images(Prescription_3& prescription, const std::vector<std::siz
                         const VertexOfPoint& vertex)
 {
   const auto initial_map = parameters::get_parameter(np, internal_np::initial_map);
-  static_assert(Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value,
-                "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container).");
+  constexpr bool is_map = Is_map_of<std::remove_const_t<decltype(initial_map)>, Vertex>::value;
+  static_assert(is_map, "initial_map must be a property map of vertices: for a container, pass make_vertex_point_map(container), "
+                        "and for arrays, CGAL::make_property_map(vector).");
   prescription.initial.resize(prescription.targets.size());
-  for(const std::size_t p : points)
-    prescription.initial[p] = coordinates(get(initial_map, vertex(p)));
+  if constexpr(is_map)
+    for(const std::size_t p : points)
+      prescription.initial[p] = coordinates(get(initial_map, vertex(p)));
 }
 
 template <typename Vertex, typename VertexOfPoint>

@@ -98,7 +98,8 @@ constexpr bool is_parallel()
 {
   constexpr bool result = std::is_convertible<ConcurrencyTag, Parallel_tag>::value;
 #ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!result, "Parallel_tag requires TBB: link with CGAL::TBB_support.");
+  static_assert(!result, "Parallel_tag requires TBB: link with CGAL::TBB_support, or without CMake compile with "
+                         "-DCGAL_LINKED_WITH_TBB and link with -ltbb.");
 #endif
   return result;
 }

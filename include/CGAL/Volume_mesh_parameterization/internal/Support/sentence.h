@@ -73,6 +73,15 @@ inline void require(const bool condition, const char* const message, const char*
     fail_precondition(message, file, line);
 }
 
+// Fails if the flags of this unit permit other operations than those that are written. Not all compilers have macros for them.
+inline void require_operations_as_written()
+{
+  const volatile double x = 1, tiny = 1e-30; // which the compiler does not know
+  const double one = x, sum = one + tiny;
+  require(sum - one == 0, "The exact check of the map needs each operation as it is written: compile without "
+                          "-funsafe-math-optimizations and -fassociative-math.");
+}
+
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_SUPPORT_SENTENCE_H

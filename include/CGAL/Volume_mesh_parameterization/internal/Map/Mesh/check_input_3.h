@@ -194,6 +194,7 @@ inline Input_check_3 check_planes(const Numbered_mesh_3& mesh)
 
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbered_mesh_3& mesh, const Budget& budget)
 {
+  require_operations_as_written();
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   for(const auto check : { check_coordinates, check_distance_from_origin, check_sizes, check_source_cells,
