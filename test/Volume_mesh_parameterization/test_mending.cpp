@@ -82,6 +82,23 @@ TEST_CASE("Cells with the same vertices become the first of them, with the refer
   CHECK((soup.notes.size() == 1 && soup.cell_data.size() == 3));
 }
 
+TEST_CASE("Marks with a vertex twice are left out, and this is noted")
+{
+  Soup soup = two_cells();
+  soup.facets = { {1, 3, 1}, {0, 2, 1} };
+  soup.facet_references = { 5, 6 };
+  soup.edges = { {0, 1}, {2, 2}, {3, 3} };
+  soup.edge_references = { 7, 8, 9 };
+  VMP::remove_false_marks(soup);
+  CHECK(soup.facets == decltype(soup.facets){ {0, 2, 1} });
+  CHECK(soup.facet_references == std::vector<int>{ 6 });
+  CHECK(soup.edges == decltype(soup.edges){ {0, 1} });
+  CHECK(soup.edge_references == std::vector<int>{ 7 });
+  REQUIRE(soup.notes.size() == 2);
+  CHECK(soup.notes[0].find("1 marked triangle has a vertex twice and is left out. The first one is at the vertex 1 ") == 0);
+  CHECK(soup.notes[1].find("2 marked edges have a vertex twice and are left out. The first one is at the vertex 2 ") == 0);
+}
+
 TEST_CASE("A body that touches itself gets a vertex for each fan")
 {
   // two cells at an edge, and a third one at a vertex

@@ -279,6 +279,12 @@ TEST_CASE("A fit is measured in both directions")
   CHECK(std::abs(fit.largest_distance_from_surface - 3) < 0.01);
   CHECK(fit.number_of_intersections == 0);
 
+  for(Point& p : box.points)
+    p[2] = p[2] > 0 ? 1.001 : -1; // a distance below a thousandth of the diagonal
+  const double small = VMP::measure_surface_fit(mesh.points, mesh.cells, box.points, box.triangles).largest_distance_from_surface;
+  CHECK(small > 0.00099);
+  CHECK(small < 0.00115);
+
   Points turned = mesh.points; // inside out
   for(Point& p : turned)
     p[0] = -p[0];

@@ -283,6 +283,8 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
     if(*name == "-")
       *name = "/dev/stdout";
   const int number_of_ways = !options.target.empty() + !options.domain.empty() + options.do_improve;
+  if(options.do_improve && number_of_ways > 1)
+    throw std::runtime_error("--improve excludes TARGET and --to: it keeps the boundary where it is");
   if(options.source.empty() || number_of_ways > 1 || (number_of_ways == 0 && options.conditions.empty()))
     throw std::runtime_error("give SOURCE.mesh and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help lists "
                              "all options");

@@ -176,11 +176,12 @@ inline void print_notes(const Options& options, const VMP::Parameterization_resu
 }
 
 // Prints the last lines.
-inline void print_end(const Outcome& outcome)
+inline void print_end(const Options& options, const Outcome& outcome)
 {
   std::cout << "seconds: reading " << outcome.seconds_reading << ", boundary " << outcome.seconds_boundary << ", map "
             << outcome.result.seconds_total << ", hexahedra " << outcome.seconds_hexahedra << "\n";
-  std::cout << (outcome.files.empty() ? "No file is written; -o FILE writes the map" : "Written: " + list(outcome.files)) << "\n";
+  std::cout << (!outcome.files.empty() ? "Written: " + list(outcome.files)
+                : options.output.empty() ? "No file is written; -o FILE writes the map" : "No file is written") << "\n";
   if(outcome.exit_code == SUCCESS && outcome.result.status == VMP::OK)
     std::cout << "Success\n";
 }

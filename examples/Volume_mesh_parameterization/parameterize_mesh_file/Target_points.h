@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -150,9 +151,19 @@ inline Target_points target_points(const Source& source, Points points, const Op
 inline bool read_conditions(const Source& source, const Options& options, Progress_line& progress, Target_points& target)
 {
   const auto vertices_of_index = [&](const std::size_t index) { return source.vertices_of(index); };
+  const auto kinds_of_conditions = [&]
+  {
+    std::vector<int> result;
+    for(const Condition& condition : target.conditions)
+      result.push_back(condition.kind());
+    return result;
+  };
+  const std::vector<int> kinds = kinds_of_conditions();
   if(!VMP::IO::read_vertex_conditions(options.conditions, source.soup, vertices_of_index, target.conditions, target.points,
                                       CGAL::parameters::visitor(std::ref(progress))))
     return false;
+  if(kinds == kinds_of_conditions() && !options.is_quiet)
+    std::cerr << "note: " << options.conditions << ": no line changes the condition of a vertex" << std::endl;
   const auto is_freed = [&](const std::size_t v) { return target.conditions[v].kind() != Condition::AT_TARGET; };
   target.inside.erase(std::remove_if(target.inside.begin(), target.inside.end(), is_freed), target.inside.end());
   return true;

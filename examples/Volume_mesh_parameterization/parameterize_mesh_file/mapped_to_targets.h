@@ -198,6 +198,7 @@ inline std::string note_of_features_given_up(const PM::Polycube_result& polycube
 inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options, const Landmarks& landmarks,
                                      Progress_line& progress)
 {
+  naming(options.source, [&] { check_spacing(options, mapped.mesh); });
   const bool splits_all_bridges = named_refinement(options.refinement).splits_all_bridges;
   const std::size_t number_of_splits = splits_all_bridges ? split_bridges(mapped, progress) : 0;
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"

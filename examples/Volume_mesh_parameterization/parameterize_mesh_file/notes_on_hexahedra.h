@@ -10,8 +10,10 @@
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <sstream>
 #include <vector>
 
 inline double volume(const VMP::Tetrahedron_soup_3& mesh, const std::vector<std::array<double, 3> >& points)
@@ -22,6 +24,21 @@ inline double volume(const VMP::Tetrahedron_soup_3& mesh, const std::vector<std:
   for(const auto& cell : mesh.cells)
     sum += CGAL::volume(point(cell[0]), point(cell[1]), point(cell[2]), point(cell[3]));
   return sum;
+}
+
+// Refuses a spacing for which a polycube has far too many boxes, before there is a map: its volume is about that of the body.
+inline void check_spacing(const Options& options, const VMP::Tetrahedron_soup_3& mesh)
+{
+  constexpr double allowance = 2; // a guess
+  const double spacing = Hexahedra_file(options.hexahedra).spacing();
+  const double coarser = std::cbrt(volume(mesh, mesh.points) / PM::maximum_number_of_boxes);
+  if(spacing == 0 || options.domain != "polycube" || spacing > coarser / std::cbrt(allowance))
+    return;
+  std::ostringstream sentence;
+  sentence << "with a spacing of " << spacing << ", there would be about " << PM::maximum_number_of_boxes
+           * std::pow(coarser / spacing, 3) << " hexahedra. At most " << PM::maximum_number_of_boxes
+           << " are allowed; use a spacing of " << 1.1 * coarser << " or more";
+  throw VMP::Input_error(sentence.str());
 }
 
 // Notes what is to be expected of the hexahedra of a map: poor ones, if it distorts angles much, and many, if a polycube is much

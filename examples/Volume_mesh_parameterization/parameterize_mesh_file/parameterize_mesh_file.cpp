@@ -265,7 +265,7 @@ int main(int argc, char* argv[])
     if(!options.report.empty())
       write_report(options, outcome, progress);
     if(result.has_valid_map && !options.is_quiet)
-      print_end(outcome);
+      print_end(options, outcome);
     flush_standard_output();
     return outcome.exit_code;
   }

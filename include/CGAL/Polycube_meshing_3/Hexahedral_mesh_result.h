@@ -25,6 +25,11 @@ namespace CGAL::Polycube_meshing_3 {
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
+/// The largest number of boxes of a grid. Each one needs about 4 kB of memory.
+constexpr double maximum_number_of_boxes = 1e7;
+
+/// \ingroup PkgPolycubeMeshing3Hexahedra
+///
 /// The volumes of a subdomain.
 struct Subdomain_volumes
 {

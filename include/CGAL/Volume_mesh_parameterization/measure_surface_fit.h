@@ -29,7 +29,8 @@ struct Surface_fit_3
   /// the largest distance of a vertex of the boundary to the surface
   double largest_distance_to_surface = 0;
 
-  /// the largest distance of a point of the surface to the boundary, up to a thousandth of the diagonal of the surface
+  /// the largest distance of a point of the surface to the boundary, up to a tenth of it or a millionth of the diagonal of the
+  /// surface
   double largest_distance_from_surface = 0;
 
   /// the number of facets whose normals are opposite to those of the surface at the nearest points of their vertices and center
@@ -80,8 +81,17 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
     result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
   }
   result.number_of_turned_facets = internal::turned_facets(image, surface).size();
-  result.largest_distance_from_surface = Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(
-    mesh_of_target, image, 1e-3 * internal::bounding_box(target.points).diagonal().norm());
+  // The distance may be too large by its error. A smaller error takes longer, and is needed only if it is a part of the distance.
+  const double diagonal = internal::bounding_box(target.points).diagonal().norm();
+  double error = 1e-3 * diagonal;
+  const auto measure = [&]
+  { return Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(mesh_of_target, image, error); };
+  result.largest_distance_from_surface = measure();
+  while(error > (std::max)(0.1 * result.largest_distance_from_surface, 1e-6 * diagonal))
+  {
+    error /= 10;
+    result.largest_distance_from_surface = measure();
+  }
   result.number_of_intersections = internal::intersecting_facets(image).size();
   return result;
 }

@@ -126,6 +126,28 @@ inline std::map<std::size_t, std::size_t> numbers_of_sharp_edges(const Tetrahedr
   return result;
 }
 
+// Leaves out marked facets or edges that have a vertex twice, and notes this.
+template <typename Simplices>
+void remove_collapsed(Simplices& simplices, std::vector<int>& references, std::vector<Data_array_3>& data,
+                      const char* const singular, const char* const plural, std::vector<std::string>& notes)
+{
+  std::vector<std::size_t> kept, collapsed;
+  for(std::size_t i = 0; i < simplices.size(); ++i)
+  {
+    auto vertices = simplices[i];
+    std::sort(vertices.begin(), vertices.end());
+    (std::adjacent_find(vertices.begin(), vertices.end()) == vertices.end() ? kept : collapsed).push_back(i);
+  }
+  if(collapsed.empty())
+    return;
+  notes.push_back(counted(collapsed.size(), singular, plural) + " a vertex twice and "
+                  + (collapsed.size() == 1 ? "is" : "are") + " left out. The first one is at the vertex "
+                  + std::to_string(simplices[collapsed[0]][0]) + " (counted from 0)");
+  keep_elements(kept, simplices);
+  keep_elements(kept, references);
+  keep_elements(kept, data);
+}
+
 } // namespace internal
 
 /// \ingroup PkgVolumeMeshParameterizationIO
@@ -197,7 +219,8 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
 /// removes marks that contradict the shape of the boundary nearly everywhere, and adds a note to the soup. TetGen makes such
-/// marks: it marks all points of its input as corners, and all edges between facets that are not in one plane.
+/// marks: it marks all points of its input as corners, and all edges between facets that are not in one plane. Marked facets and
+/// edges that have a vertex twice go, too.
 ///
 /// A vertex is no corner of the shape if the normals on both sides make more than 60 degrees at none or two of its edges. If more
 /// than half of the vertices of the boundary are marked as corners, but are none, all marks of corners go. If more than half of
@@ -208,6 +231,9 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 /// \exception Input_error as the functions for arrays; the soup is then unchanged.
 inline void remove_false_marks(Tetrahedron_soup_3& soup)
 {
+  internal::remove_collapsed(soup.facets, soup.facet_references, soup.facet_data, "marked triangle has", "marked triangles have",
+                             soup.notes);
+  internal::remove_collapsed(soup.edges, soup.edge_references, soup.edge_data, "marked edge has", "marked edges have", soup.notes);
   internal::check_simplices(soup);
   if(soup.corners.empty() && soup.edges.empty())
     return;

@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
 
@@ -168,7 +169,8 @@ private:
   // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
   bool check_number_of_boxes(const double spacing)
   {
-    constexpr double maximum_number = 1e7, gigabytes_of_box = 4e-6, infinity = (std::numeric_limits<double>::infinity)();
+    constexpr double maximum_number = maximum_number_of_boxes, gigabytes_of_box = 4e-6;
+    constexpr double infinity = (std::numeric_limits<double>::infinity)();
     if(number_of_boxes(spacing) <= maximum_number)
       return true;
     if(number_of_boxes(infinity) > maximum_number)
