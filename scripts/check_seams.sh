@@ -7,6 +7,7 @@
 set -euo pipefail
 export LC_ALL=C
 
+[ $# -eq 0 ] || set -- "$(realpath "$1")"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 status=0
 complain() { echo "$1"; status=1; }
