@@ -182,6 +182,63 @@ def draw_map(vtu, output):
               ([section(image, normal)], normal, up, "section of the image")], output, DISTORTION)
 
 
+def frame(*grids):
+    """An invisible box around all bodies, with which pictures have one scale."""
+    box = vtk.vtkBoundingBox()
+    for grid in grids:
+        box.AddBounds(grid.GetBounds())
+    bounds = [0] * 6
+    box.GetBounds(bounds)
+    outline = vtk.vtkOutlineSource()
+    outline.SetBounds(bounds)
+    outline.Update()
+    actor = line_actor(outline.GetOutput(), (1, 1, 1), 1)
+    actor.GetProperty().SetOpacity(0)
+    return actor
+
+
+def draw_tank(vtu, output):
+    """The mesh at rest and after the last step at one scale, and a section of the latter with its distortion."""
+    direction, up, normal = VIEWS[vtu.stem]
+    source = render.read(str(vtu))
+    image = render.image_of(source)
+    colors = colors_of_positions(source)
+    draw_row([([painted_surface(source, colors), frame(source, image)], direction, up, "at rest"),
+              ([painted_surface(image, colors), frame(source, image)], direction, up, "after the last step"),
+              ([section(image, normal), frame(source, image)], normal, up, "section of the latter")], output, DISTORTION)
+
+
+def triangles_of_OFF(filename):
+    words = filename.read_text().split()
+    n, m = int(words[1]), int(words[2])
+    coordinates = numpy.array(words[4:4 + 3 * n], float).reshape(n, 3)
+    triangles = numpy.array(words[4 + 3 * n:4 + 3 * n + 4 * m], numpy.int64).reshape(m, 4)[:, 1:]
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(coordinates, deep=True))
+    grid = vtk.vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    for triangle in triangles:
+        grid.InsertNextCell(vtk.VTK_TRIANGLE, 3, triangle)
+    return grid
+
+
+def draw_fit(vtu, scan, output):
+    """A scan, the boundary that is fitted to it, and the distance of the scan from this boundary, at one scale."""
+    direction, up, _ = VIEWS[vtu.stem]
+    image = render.image_of(render.read(str(vtu)))
+    scanned = triangles_of_OFF(scan)
+    boundary = vtk.vtkImplicitPolyDataDistance()
+    boundary.SetInput(surface_of(image))
+    distances = numpy.array([abs(boundary.EvaluateFunction(p)) for p in vtk_to_numpy(scanned.GetPoints().GetData())])
+    largest = distances.max()
+    colored = surface_by_values(scanned, distances, VIRIDIS, 0, largest)
+    around = frame(scanned, image)
+    draw_row([([render.surface(scanned), around], direction, up, "scan"),
+              ([render.surface(image), around], direction, up, "boundary of the cube, fitted to the scan"),
+              ([colored, around], direction, up, "distance of the scan from this boundary")], output,
+             (VIRIDIS, Normalize(0, largest), "distance; the scan is about 2 wide"))
+
+
 def draw_sliding(folder, output):
     """The source, and the distortion on the surface of its image with a boundary that is fixed and one that slides."""
     direction, up, _ = VIEWS["sliding_boundary"]
@@ -485,16 +542,68 @@ def draw_hexahedra(vtu, output, view=VIEWS["polycube"]):
     """Hexahedra, and those of one half with their scaled Jacobians."""
     direction, up, normal = view
     mesh = render.read(str(vtu))
-    quality = render.quality_surface(render.whole_cells_behind(mesh, normal), "scaled_jacobian")
-    draw_row([([render.surface(mesh)], direction, up, "hexahedra"), ([quality], direction, up, "those of one half")], output,
+    plane = render.plane_through(mesh, normal)
+    clip = vtk.vtkClipPolyData()
+    clip.SetInputData(surface_of(mesh))
+    clip.SetClipFunction(plane)
+    clip.InsideOutOn()
+    clip.Update()
+    quality = render.quality_surface(clip.GetOutput(), "scaled_jacobian")
+    cells_at_plane = render.quality_surface(plane_section(mesh, normal), "scaled_jacobian")
+    draw_row([([render.surface(mesh)], direction, up, "hexahedra"),
+              ([quality, cells_at_plane], direction, up, "section of one half")], output,
              (colors_of(quality), Normalize(0, 1), "scaled Jacobian (right angles: 1)"))
+
+
+def numbered_faces(mesh, direction):
+    """The quadrangles of a part with one color for each face of the part, and its number where the eye sees it."""
+    threshold = vtk.vtkThreshold()
+    threshold.SetInputData(mesh)
+    threshold.SetInputArrayToProcess(0, 0, 0, vtk.vtkDataObject.FIELD_ASSOCIATION_CELLS, "surface")
+    threshold.SetThresholdFunction(vtk.vtkThreshold.THRESHOLD_UPPER)
+    threshold.SetUpperThreshold(1)
+    threshold.Update()
+    quadrangles = threshold.GetOutput()
+    numbers = vtk_to_numpy(quadrangles.GetCellData().GetArray("surface")).astype(int)
+    colors = [matplotlib.colormaps["tab20"](i % 20)[:3] for i in range(numbers.max() + 1)]
+    actors = [surface_by_values(quadrangles, numbers, colors, 0, numbers.max() + 1)]
+    points = vtk_to_numpy(quadrangles.GetPoints().GetData())
+    corners = points[vtk_to_numpy(quadrangles.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+    normals = numpy.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    toward_eye = numpy.array(direction) / numpy.linalg.norm(direction)
+    for number in numpy.unique(numbers):
+        seen = (numbers == number) & (normals @ toward_eye > 0)
+        if not seen.any():
+            continue
+        centers = corners[seen].mean(axis=1)
+        label = vtk.vtkBillboardTextActor3D()  # at the quadrangle in the middle, before the part
+        label.SetInput(str(number))
+        middle = centers[numpy.argmin(numpy.linalg.norm(centers - centers.mean(axis=0), axis=1))]
+        label.SetPosition(*(middle + 0.1 * mesh.GetLength() * toward_eye))
+        label.GetTextProperty().SetFontSize(40)
+        label.GetTextProperty().SetColor(0, 0, 0)
+        label.GetTextProperty().BoldOn()
+        actors.append(label)
+    return actors
+
+
+def draw_faces(vtu, output):
+    """The numbers of the faces of a part, from two sides."""
+    direction, up, _ = VIEWS["polycube"]
+    mesh = render.read(str(vtu))
+    opposite = tuple(-x for x in direction)
+    draw_row([(numbered_faces(mesh, direction), direction, up, "faces of the part"),
+              (numbered_faces(mesh, opposite), opposite, up, "seen from the opposite side")], output)
 
 
 def main(folder, output_folder):
     draw_carried(folder, output_folder / "body_to_body.png")
     draw_ball(folder, output_folder / "elephant_to_ball.png")
-    for name in ("twisted", "polycube", "sloshing_tank", "body_to_scan"):
+    for name in ("twisted", "polycube"):
         draw_map(folder / f"{name}.vtu", output_folder / f"{name}.png")
+    draw_tank(folder / "sloshing_tank.vtu", output_folder / "sloshing_tank.png")
+    draw_fit(folder / "body_to_scan.vtu", ROOT / "examples/Volume_mesh_parameterization/data/scan.off",
+             output_folder / "body_to_scan.png")
     draw_sliding(folder, output_folder / "sliding_boundary.png")
     draw_grid(folder / "polycube.vtu", output_folder / "polycube_grid.png")
     draw_overview(folder, output_folder / "overview.png", output_folder / "icon.png")
@@ -506,6 +615,7 @@ def main(folder, output_folder):
     draw_boundaries(folder, output_folder / "boundaries.png")
     draw_energies(folder, output_folder / "energies.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
+    draw_faces(folder / "hexahedra.vtu", output_folder / "numbered_faces.png")
     draw_hexahedra(folder / "elephant_hexahedra.vtu", output_folder / "organic_body.png", VIEWS["twisted"])
     draw_materials(folder, output_folder / "materials.png")
     draw_bracket(folder, output_folder / "bracket.png")

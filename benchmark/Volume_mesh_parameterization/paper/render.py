@@ -189,6 +189,8 @@ def _frame(actors, direction, up, aspect):
     axes = (right, cross(back, right), back)
     low, high = [math.inf] * 3, [-math.inf] * 3
     for actor in actors:
+        if not hasattr(actor, "GetMapper"):  # a label
+            continue
         actor.GetMapper().Update()
         points = actor.GetMapper().GetInput().GetPoints()
         for v in range(points.GetNumberOfPoints() if points else 0):
