@@ -118,6 +118,22 @@ done < <(
     while IFS=$'\t' read -r place line; do
       grep -rqF --include=*.cpp -e "$line" "$root"/examples "$root"/test || echo "$place: no program has this line"
     done)
+# Each figure is in a text, and a section that speaks of the table has one, or the paragraph refers to it.
+while read -r figure; do
+  grep -rqF -e "$figure" "$root"/doc/*/*.{txt,md} "$root/README.md" || { echo "$figure: no text shows this figure"; status=1; }
+done < <(cd "$doc/fig" && ls)
+while read -r place; do
+  echo "$place: there is no table in this section"
+  status=1
+done < <(
+  awk 'function report(  i) { for(i in missing) { if(!has_table) print missing[i]; delete missing[i] } has_table = 0 }
+       function end_paragraph() { if(place != "" && !refers) missing[place] = place; place = ""; refers = 0 }
+       FNR == 1 || /^\\(section|defgroup) / || /^## / { end_paragraph(); report() }
+       /^$/ { end_paragraph() }
+       /^ *\| *---/ { has_table = 1 }
+       /\\(ref|link)/ { refers = 1 }
+       /[Tt]he table([^s]|$)/ { if(place == "") place = FILENAME ":" FNR }
+       END { end_paragraph(); report() }' "$root"/doc/*/*.{txt,md})
 # Doxygen would take a number with a period at the beginning of a line for a list.
 while read -r place; do
   echo "$place: a line of text begins with a number and a period"
