@@ -16,6 +16,7 @@ class SlidingSurface_3
 {
 public:
 /// returns the point of the surface to which a point near it is put back, such as the nearest one, with the normal of the surface
-/// or the tangent of the curve there. A point of the surface stays, up to rounding.
+/// or the tangent of the curve there. A point of the surface stays, up to rounding: otherwise, the map is no success. If there is no
+/// such point, coordinates are not numbers.
 CGAL::Volume_mesh_parameterization::Surface_point_3 nearest_point(const std::array<double, 3>& p) const;
 };

@@ -23,8 +23,9 @@ namespace CGAL::Volume_mesh_parameterization {
 The surface on which a function is zero. A point is put back along the gradient by Newton's method until rounding ends it.
 
 \tparam Function a type with two functions of a point, `double value(const std::array<double, 3>& p) const` and
-        `std::array<double, 3> gradient(const std::array<double, 3>& p) const`. The gradient is not zero near the surface. Threads
-        call both at the same time.
+        `std::array<double, 3> gradient(const std::array<double, 3>& p) const`. Near the surface, the function is differentiable,
+        and the gradient is finite and not zero: a cube root, for instance, has an infinite slope. Threads call both at the same
+        time. If Newton's method diverges, the map reports the vertex, and there is no success.
 
 \cgalModels{SlidingSurface_3}
 */
@@ -43,7 +44,7 @@ public:
     double length = std::numeric_limits<double>::infinity();
     for(int step = 0; step < maximum_number_of_steps; ++step)
     {
-      const internal::Vector_3 move = -(m_function.value({ x[0], x[1], x[2] }) / gradient.squaredNorm()) * gradient;
+      const internal::Vector_3 move = newton_step(m_function.value({ x[0], x[1], x[2] }), gradient);
       next = x + move;
       if(next == x || (step > 0 && !(move.norm() < length))) // rounding does not let it come nearer
         break;
@@ -55,6 +56,15 @@ public:
   }
 
 private:
+  // Divides by a power of two first, which changes no digits, so that no square of a slope overflows.
+  static internal::Vector_3 newton_step(const double value, const internal::Vector_3& gradient)
+  {
+    const double largest = gradient.cwiseAbs().maxCoeff();
+    const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+    const internal::Vector_3 slope = gradient.unaryExpr([&](const double x) { return std::scalbn(x, -exponent); });
+    return -(std::scalbn(value, -exponent) / slope.squaredNorm()) * slope;
+  }
+
   internal::Vector_3 gradient_at(const internal::Vector_3& x) const
   {
     const std::array<double, 3> g = m_function.gradient({ x[0], x[1], x[2] });
