@@ -164,6 +164,48 @@ TEST_CASE("Principal axes, or landmarks instead, turn a body onto its target")
   CHECK(distance(image_of(turned, { 0, 2, 0 }), { 3, 0, 0 }) < 0.5);
 }
 
+TEST_CASE("Landmarks that fit come to their points, and others are measured")
+{
+  const Surface target = ellipsoid(24, 34);
+  VMP::Tetrahedron_soup_3 mesh = cube(6);
+  const auto residual = [&](const std::vector<std::pair<Point, Point> >& pairs)
+  {
+    Points uvw;
+    if(Fit(target.points, target.triangles, pairs).parameterize(mesh.points, mesh.cells, uvw) != VMP::OK)
+      return std::numeric_limits<double>::infinity();
+    std::vector<std::pair<std::size_t, Point> > landmarks;
+    for(const auto& [p, goal] : pairs)
+      landmarks.emplace_back(std::find(mesh.points.begin(), mesh.points.end(), p) - mesh.points.begin(), goal);
+    return VMP::measure_surface_fit(uvw, mesh.cells, target.points, target.triangles, landmarks).largest_distance_of_landmarks;
+  };
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  const std::vector<std::pair<Point, Point> > turned = { { { 1, 0, 0 }, { 3, 0, 0 } }, { { -1, 0, 0 }, { -3, 0, 0 } },
+    { { 0, 1, 0 }, { 3 * s, 2 * c, 0 } }, { { 0, 0, 1 }, { 0, 2 * s, c } } };
+  CHECK(residual(turned) < 0.3);
+  auto exchanged = turned;
+  std::swap(exchanged[0].second, exchanged[2].second);
+  CHECK(residual(exchanged) > residual(turned) + 0.2);
+}
+
+TEST_CASE("Sharp edges and corners of the target are met by those of the body")
+{
+  const Surface target = { { { -2, -1, -1 }, { 2, -1, -1 }, { 2, 1, -1 }, { -2, 1, -1 }, { -2, -1, 1 }, { 2, -1, 1 }, { 2, 1, 1 },
+                             { -2, 1, 1 } },
+                           { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 },
+                             { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } } };
+  VMP::Tetrahedron_soup_3 mesh = cube(4);
+  for(Point& p : mesh.points)
+    p[0] *= 2.2;
+  Points uvw;
+  REQUIRE(Fit(target.points, target.triangles).parameterize(mesh.points, mesh.cells, uvw) == VMP::OK);
+  for(const double x : { -2., 2. })
+    for(const double y : { -1., 1. })
+      for(const double z : { -1., 1. })
+        CHECK(std::any_of(uvw.begin(), uvw.end(), [&](const Point& p) { return distance(p, { x, y, z }) < 1e-12; }));
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mesh.cells, target.points, target.triangles);
+  CHECK(fit.largest_distance_to_surface < 1e-12);
+}
+
 TEST_CASE("A fit needs two spheres and finite landmarks")
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

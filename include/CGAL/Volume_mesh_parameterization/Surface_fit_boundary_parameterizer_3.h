@@ -25,7 +25,8 @@ namespace CGAL::Volume_mesh_parameterization {
 maps the boundary of a complex onto a surface with other triangles, for instance a scan. Both are topological spheres.
 
 Both surfaces are mapped to the unit sphere, as by `Ball_boundary_parameterizer_3`. There, the boundary is turned. With landmarks,
-the turn brings them as close to their points as possible, in the sense of least squares. Otherwise, it puts the principal axes of
+the turn brings them as close to their points as possible, in the sense of least squares, and then their vertices are pulled to
+the points. `measure_surface_fit()` measures how far they are in the end. Otherwise, it puts the principal axes of
 the boundary on those of the target, with the signs that have the lowest distortion. Then each vertex has a place in a triangle of
 the target. Vertices move on the target to lower the distortion of the boundary. As long as facets are turned over or intersect
 each other, vertices of both surfaces move in turn, each on the other surface: where few facets of the boundary cover a limb of the

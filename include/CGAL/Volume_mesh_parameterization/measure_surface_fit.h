@@ -33,6 +33,9 @@ struct Surface_fit_3
   /// surface
   double largest_distance_from_surface = 0;
 
+  /// the largest distance of the image of a landmark to its point; 0 without landmarks
+  double largest_distance_of_landmarks = 0;
+
   /// the number of facets whose normals are opposite to those of the surface at the nearest points of their vertices and center
   std::size_t number_of_turned_facets = 0;
 
@@ -49,6 +52,7 @@ measures how close the boundary of a mesh is to a surface, for instance after a 
 \param cells four indices of points each
 \param points_of_surface the points of the surface
 \param triangles the triangles of the surface, by the indices of their points
+\param landmarks points of the mesh, by their indices, each with the point to which it should come
 
 \exception Input_error names a wrong index or a coordinate that is not finite.
 
@@ -59,7 +63,8 @@ measures how close the boundary of a mesh is to a surface, for instance after a 
 template <typename PointRange, typename CellRange>
 Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cells,
                                   const std::vector<std::array<double, 3> >& points_of_surface,
-                                  const std::vector<std::array<std::size_t, 3> >& triangles)
+                                  const std::vector<std::array<std::size_t, 3> >& triangles,
+                                  const std::vector<std::pair<std::size_t, std::array<double, 3> > >& landmarks = {})
 {
   const Triangulated_surface_3 surface(points_of_surface, triangles); // with the checks
   const auto mesh_of = [](const internal::Numbered_surface_3& numbered)
@@ -80,6 +85,10 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
     const internal::Vector_3 q = internal::to_vector(surface.nearest_point(internal::coordinates(p)).point);
     result.largest_distance_to_surface = (std::max)(result.largest_distance_to_surface, (p - q).norm());
   }
+  const auto images = internal::vectors_of(internal::coordinates_of(points));
+  for(const auto& [v, goal] : landmarks)
+    result.largest_distance_of_landmarks
+      = (std::max)(result.largest_distance_of_landmarks, (images.at(v) - internal::to_vector(goal)).norm());
   result.number_of_turned_facets = internal::turned_facets(image, surface).size();
   // The distance may be too large by its error. A smaller error takes longer, and is needed only if it is a part of the distance.
   const double diagonal = internal::bounding_box(target.points).diagonal().norm();

@@ -24,7 +24,7 @@ class Split_fit_3
 public:
   // Takes a fitted pair, with the mesh of its surface.
   Split_fit_3(const Surface_pair_3& pair, const Boundary_mesh_3& mesh, const Triangulated_surface_3& triangulated_target)
-    : m_fit{ *pair.surface.surface, mesh, pair.surface.directions, pair.images, {} }, m_target(pair.target),
+    : m_fit{ *pair.surface.surface, mesh, pair.surface.directions, pair.images, {} }, m_target(pair.target), m_goals(pair.goals),
       m_on_target(*m_target.surface, m_target.directions), m_triangulated_target(triangulated_target)
   {}
 
@@ -142,6 +142,7 @@ private:
   {
     const Vertex_rings_3 rings(m_fit.mesh);
     Surface_pair_3 relaxed = { { &m_fit.surface, &rings, m_fit.directions }, m_target };
+    relaxed.goals = m_goals;
     relaxed.sharpen(budget);
     const std::vector<bool> is_spoilt = are_spoilt(relaxed.images);
     if(!has_any(is_spoilt.begin(), is_spoilt.end()))
@@ -171,6 +172,7 @@ private:
 
   Fit m_fit;
   Surface_in_sphere_3 m_target;
+  Goals_3 m_goals;
   Surface_on_sphere_3 m_on_target;
   const Triangulated_surface_3& m_triangulated_target;
 };

@@ -15,10 +15,15 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_on_sphere_3.h>
 
+#include <map>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Map of a triangulated sphere onto another one. Vertices move on the target to lower the distortion of their triangles. In the
-// sphere that both surfaces are mapped to, triangles remain positive.
+// Vertices of a surface, each with the point that it is pulled to.
+using Goals_3 = std::map<int, Vector_3>;
+
+// Map of a triangulated sphere onto another one. Vertices move on the target to lower the distortion of their triangles, and
+// towards their goals. In the sphere that both surfaces are mapped to, triangles remain positive.
 //
 // The distortion of a triangle is Q (1 + 1 / X^2), with its Dirichlet energy Q. X is the ratio of the areas, made positive as for
 // untangling, X = (D + sqrt(D^2 + e^2)) / 2. D is negative where the image is turned over.
@@ -26,8 +31,8 @@ class Surface_relaxation_3
 {
 public:
   Surface_relaxation_3(const std::vector<Vector_3>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
-                       const std::vector<Vector_3>& directions, const double epsilon)
-    : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon)
+                       const std::vector<Vector_3>& directions, const double epsilon, const Goals_3& goals)
+    : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon), m_goals(goals)
   {
     for(const Vector_3& d : directions)
       m_positions.push_back(target.position_in_direction(d));
@@ -100,6 +105,17 @@ private:
                     Matrix_3* hessian = nullptr) const
   {
     double result = 0;
+    if(const auto goal = m_goals.find(v); goal != m_goals.end())
+    {
+      constexpr double weight = 100; // a guess; the distortion around a vertex is about as stiff as 10
+      const Vector_3 offset = position.point - goal->second;
+      result = weight * offset.squaredNorm();
+      if(gradient != nullptr)
+      {
+        *gradient += 2 * weight * offset;
+        *hessian += 2 * weight * Matrix_3::Identity();
+      }
+    }
     for_each_triangle(v, [&](const int j, const int k)
     {
       const Vector_3 &p = m_points[v], &q = m_points[j], &r = m_points[k];
@@ -130,6 +146,7 @@ private:
   const Vertex_rings_3& m_rings;
   const Surface_on_sphere_3& m_target;
   double m_epsilon; // e
+  const Goals_3& m_goals;
   std::vector<Surface_position_3> m_positions;
 };
 
@@ -147,12 +164,13 @@ struct Surface_pair_3
   Surface_in_sphere_3 surface, target;
   std::vector<Vector_3> images = {}; // of the vertices of `surface`
   double distortion = 0; // of the images
+  Goals_3 goals = {}, features = {}; // of vertices of `surface`; features are among the goals, and are met in the end if possible
 
   // Moves the vertices of the surface on the target.
   void relax(const int number_of_sweeps, const double epsilon, const Budget& budget)
   {
     const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
-    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon);
+    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon, goals);
     map.relax(number_of_sweeps, budget);
     distortion = map.distortion();
     images.clear();
@@ -162,6 +180,14 @@ struct Surface_pair_3
       images.push_back(position.point);
       surface.directions.push_back(position.direction);
     }
+  }
+
+  // Brings vertices to their goals, if there are any.
+  void relax_to_goals(const double epsilon, const Budget& budget)
+  {
+    constexpr int number_of_sweeps = 20; // a guess
+    if(!goals.empty())
+      relax(number_of_sweeps, epsilon, budget);
   }
 
   // Moves the vertices of a fitted surface such that the distortion becomes nearly the true one.

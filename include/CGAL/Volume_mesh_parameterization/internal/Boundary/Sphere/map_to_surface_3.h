@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Split_fit_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/matched_features_3.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -65,9 +66,10 @@ inline int nearest_vertex(const Numbered_surface_3& surface, const Vector_3& p)
 
 // Returns vertices of a body with the directions that they should have, in one or several ways. Without landmarks, principal axes
 // are put on principal axes, whose signs are open, and each vertex should have the direction of the nearest point of the target.
+// Bodies with sharp edges often have their axes already.
 inline std::vector<std::vector<std::pair<int, Vector_3> > > wanted_directions_3(
   const Numbered_surface_3& surface, const Numbered_surface_3& target, const Surface_on_sphere_3& on_sphere,
-  const Point_pairs_3& landmarks)
+  const Point_pairs_3& landmarks, const bool have_features)
 {
   std::vector<std::vector<std::pair<int, Vector_3> > > result;
   if(!landmarks.empty())
@@ -78,9 +80,11 @@ inline std::vector<std::vector<std::pair<int, Vector_3> > > wanted_directions_3(
     return result;
   }
   const Moments_3 of_surface(surface), of_target(target);
+  std::vector<Matrix_3> turns(have_features ? 1 : 0, Matrix_3::Identity());
   for(const auto& signs : { Vector_3(1, 1, 1), { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } })
+    turns.push_back(of_target.axes * Matrix_3::diagonal(signs) * of_surface.axes.transpose());
+  for(const Matrix_3& turn : turns)
   {
-    const Matrix_3 turn = of_target.axes * Matrix_3::diagonal(signs) * of_surface.axes.transpose();
     result.emplace_back();
     for(std::size_t v = 0; v < surface.points.size(); ++v)
       result.back().emplace_back(static_cast<int>(v), on_sphere.nearest_position(
@@ -102,20 +106,26 @@ inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector
     pair.*side = pair.*side / size;
 }
 
+inline void sort_by_distortion(std::vector<Surface_pair_3>& pairs)
+{
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
+}
+
 // Returns the ways in which landmarks or axes turn the surface of a pair, those with less distortion first.
-inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks, const double epsilon,
-                                                const Budget& budget)
+inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
+                                                const bool have_features, const double epsilon, const Budget& budget)
 {
   constexpr int number_of_sweeps = 5; // a guess
   const Surface_on_sphere_3 on_sphere(*pair.target.surface, pair.target.directions);
   std::vector<Surface_pair_3> result;
-  for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks))
+  for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks,
+                                          have_features))
   {
     result.push_back(pair);
     turn_to_landmarks_3(wanted, result.back().surface.directions);
     result.back().relax(number_of_sweeps, epsilon, budget);
   }
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
+  sort_by_distortion(result);
   return result;
 }
 
@@ -180,10 +190,30 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
     return turned_facets(mesh, triangulated).empty() && !Polygon_mesh_processing::does_self_intersect(mesh);
   };
   constexpr double smooth = 0.1; // a guess for e
-  const Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
-  for(const Surface_pair_3& turned : turned_pairs(pair, landmarks, smooth, budget))
-    if(const Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
+  Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
+  for(const auto& [p, q] : landmarks)
+    pair.goals.emplace(nearest_vertex(surface, p), to_vector(triangulated.nearest_point(coordinates(q)).point));
+  const std::vector<Feature_curve_3> curves = feature_curves_3(surface), curves_of_target = feature_curves_3(target);
+  const bool have_features = !curves.empty() && !curves_of_target.empty();
+  std::vector<Surface_pair_3> ways = turned_pairs(pair, landmarks, have_features, smooth, budget);
+  for(Surface_pair_3& turned : ways)
+  {
+    if(have_features)
+      turned.features = matched_features_3(curves, curves_of_target, target, turned.images);
+    turned.goals.insert(turned.features.begin(), turned.features.end());
+    turned.relax_to_goals(smooth, budget);
+  }
+  sort_by_distortion(ways);
+  for(const Surface_pair_3& turned : ways)
+    if(Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
     {
+      if(Surface_pair_3 met = fitted; !fitted.features.empty())
+      {
+        for(const auto& [v, goal] : met.features)
+          met.images[v] = goal;
+        if(is_fitted(met))
+          fitted.images = met.images;
+      }
       Split_fit_3 fit(fitted, mesh, triangulated);
       if(std::isfinite(tolerance) && !fit.split(tolerance / size, budget))
         return ERROR_FIT_TOLERANCE_NOT_REACHED;

@@ -129,43 +129,6 @@ private:
 using Segments_with_tree_3 = Simplices_with_tree_3<AABB_trees_3::Of_segments, AABB_trees_3::Kernel::Segment_3>;
 using Triangles_with_tree_3 = Simplices_with_tree_3<AABB_trees_3::Of_triangles, AABB_trees_3::Kernel::Triangle_3>;
 
-// Feature edges as curves, and the number of curves at each of their vertices, with two at a corner where a curve turns.
-class Feature_curves_3
-{
-public:
-  using Edge = std::array<std::size_t, 2>;
-
-  Feature_curves_3(std::vector<Edge> edges, const std::vector<std::array<double, 3> >& points) : m_edges(std::move(edges))
-  {
-    for(std::size_t e = 0; e < m_edges.size(); ++e)
-      for(const std::size_t v : m_edges[e])
-        m_edges_of_vertices[v].push_back(e);
-    Disjoint_sets sets(m_edges.size());
-    const auto direction_from = [&](const std::size_t v, const std::size_t e) -> Vector_3
-    {
-      const Vector_3 p = to_vector(points[m_edges[e][0]]), q = to_vector(points[m_edges[e][1]]);
-      return ((m_edges[e][0] == v ? 1 : -1) * (q - p)).stableNormalized();
-    };
-    for(const auto& [v, at] : m_edges_of_vertices)
-      if(at.size() == 2 && -direction_from(v, at[0]).dot(direction_from(v, at[1])) >= cosine_of_smooth_turn())
-        sets.unite(at[0], at[1]);
-      else
-        m_corners.insert(v);
-    m_curves = sets.numbers();
-  }
-
-  const std::vector<Edge>& edges() const { return m_edges; }
-  const std::vector<std::size_t>& curves() const { return m_curves; } // of each edge
-  const std::map<std::size_t, std::vector<std::size_t> >& edges_of_vertices() const { return m_edges_of_vertices; }
-  bool is_corner(const std::size_t v) const { return m_corners.count(v) > 0; }
-
-private:
-  std::vector<Edge> m_edges;
-  std::vector<std::size_t> m_curves;
-  std::map<std::size_t, std::vector<std::size_t> > m_edges_of_vertices;
-  std::set<std::size_t> m_corners;
-};
-
 inline void check_surface(const std::vector<std::array<double, 3> >& points,
                           const std::vector<std::array<std::size_t, 3> >& triangles,
                           const std::vector<std::array<std::size_t, 2> >& features)

@@ -13,8 +13,12 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -59,6 +63,43 @@ std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<V
   });
   return found.empty() ? by_angle : found;
 }
+
+// Feature edges as curves, and the number of curves at each of their vertices, with two at a corner where a curve turns.
+class Feature_curves_3
+{
+public:
+  using Edge = std::array<std::size_t, 2>;
+
+  Feature_curves_3(std::vector<Edge> edges, const std::vector<std::array<double, 3> >& points) : m_edges(std::move(edges))
+  {
+    for(std::size_t e = 0; e < m_edges.size(); ++e)
+      for(const std::size_t v : m_edges[e])
+        m_edges_of_vertices[v].push_back(e);
+    Disjoint_sets sets(m_edges.size());
+    const auto direction_from = [&](const std::size_t v, const std::size_t e) -> Vector_3
+    {
+      const Vector_3 p = to_vector(points[m_edges[e][0]]), q = to_vector(points[m_edges[e][1]]);
+      return ((m_edges[e][0] == v ? 1 : -1) * (q - p)).stableNormalized();
+    };
+    for(const auto& [v, at] : m_edges_of_vertices)
+      if(at.size() == 2 && -direction_from(v, at[0]).dot(direction_from(v, at[1])) >= cosine_of_smooth_turn())
+        sets.unite(at[0], at[1]);
+      else
+        m_corners.insert(v);
+    m_curves = sets.numbers();
+  }
+
+  const std::vector<Edge>& edges() const { return m_edges; }
+  const std::vector<std::size_t>& curves() const { return m_curves; } // of each edge
+  const std::map<std::size_t, std::vector<std::size_t> >& edges_of_vertices() const { return m_edges_of_vertices; }
+  bool is_corner(const std::size_t v) const { return m_corners.count(v) > 0; }
+
+private:
+  std::vector<Edge> m_edges;
+  std::vector<std::size_t> m_curves;
+  std::map<std::size_t, std::vector<std::size_t> > m_edges_of_vertices;
+  std::set<std::size_t> m_corners;
+};
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
