@@ -28,7 +28,7 @@ part_of()
     Parameterization_parameters.h | Parameterization_result.h | select.h) REPLY=Support ;;
     *_energy_3.h | check_derivatives.h) REPLY=Energies ;;
     Block_sparse_matrix_3.h | *_solver_traits_3.h) REPLY=Solvers ;;
-    *_surface_3.h | Surface_intersection_3.h | Vertex_condition_3.h | Vertex_map.h | measure_distortion.h) REPLY=Map ;;
+    *_surface_3.h | Surface_intersection_3.h | Vertex_condition_3.h | Vertex_map.h | measure_distortion.h | measure_forces.h) REPLY=Map ;;
     Tetrahedron_soup_3.h | conditions_of_patches.h | mesh_complex_3_to_tetrahedron_soup.h | orient_tetrahedron_soup.h | \
       repair_tetrahedron_soup.h | tetrahedron_soup_to_mesh_complex_3.h) REPLY=Soups ;;
     Volume_map_3.h) REPLY=Evaluation ;;

@@ -38,7 +38,8 @@ int main()
   std::vector<std::array<double, 3> > images;
   const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
     slab.points, slab.cells, prescribed.targets, images,
-    params::vertex_condition_map(CGAL::make_property_map(prescribed.conditions)).energy(VMP::Symmetric_Dirichlet_energy_3()));
+    params::vertex_condition_map(CGAL::make_property_map(prescribed.conditions)).energy(VMP::Symmetric_Dirichlet_energy_3())
+           .reference_scale(VMP::found_reference_scale)); // the thickness is 0.8, and becomes 1
   std::cout << result.message << " Inverted cells: " << result.number_of_inverted_cells << std::endl;
   if(!result.has_valid_map)
     return EXIT_FAILURE;

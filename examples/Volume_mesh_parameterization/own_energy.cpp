@@ -1,100 +1,97 @@
-// Bends a ball, with an energy of one's own: stretch, and the third power of what singular values exceed a limit by.
+// Stretches a block of rubber between two planes, with an energy of one's own, and compares the result with its closed form.
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
-#include <CGAL/Volume_mesh_parameterization/Stretch_energy_3.h>
-#include <CGAL/Volume_mesh_parameterization/select.h>
+#include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
+#include <CGAL/Volume_mesh_parameterization/measure_forces.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
-#include <CGAL/make_mesh_3.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Dense>
 
-#include <boost/property_map/function_property_map.hpp>
-
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdlib>
 #include <iostream>
-#include <unordered_map>
-
-using K = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point_3 = K::Point_3;
-using Domain = CGAL::Labeled_mesh_domain_3<K>;
-using Tr = CGAL::Mesh_triangulation_3<Domain>::type;
-using C3t3 = CGAL::Mesh_complex_3_in_triangulation_3<Tr>;
-using Vertex_handle = C3t3::Vertex_handle;
+#include <vector>
 
 namespace params = CGAL::parameters;
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-// A symmetric function of the singular values s, with its derivatives, for one cell (T is double) or several at once, some
-// of which may be on either side of a branch.
-struct Limited_stretch_energy_3
+// A compressible Neo-Hookean solid: a symmetric function of the singular values s, with its derivatives, for one cell (T is
+// double) or several at once.
+struct Neo_Hookean_energy_3
 {
-  double weight;
-  double limit = 1.5;
-  VMP::Stretch_energy_3 stretch = {};
+  double mu = 1, lambda = 1.5;
 
   template <typename T> using Vector = Eigen::Matrix<T, 3, 1>;
   template <typename T> using Matrix = Eigen::Matrix<T, 3, 3>;
 
   template <typename T>
-  Vector<T> excess(const Vector<T>& s) const
+  T log_of_volume(const Vector<T>& s) const
   {
-    using VMP::select;
-    return s.unaryExpr([this](const T& x) { return select(x > T(limit), x - T(limit), T(0)); });
+    using std::log;
+    return log(s[0] * s[1] * s[2]);
   }
 
   template <typename T>
-  T value(const Vector<T>& s) const { return stretch.value(s) + T(weight) * excess(s).array().cube().sum(); }
+  T value(const Vector<T>& s) const
+  {
+    const T l = log_of_volume(s);
+    return T(mu / 2) * (s.squaredNorm() - T(3)) - T(mu) * l + T(lambda / 2) * l * l;
+  }
 
   template <typename T>
   Vector<T> gradient(const Vector<T>& s) const
-  {
-    return stretch.gradient(s) + T(3 * weight) * excess(s).cwiseAbs2();
-  }
+  { return T(mu) * s + (T(lambda) * log_of_volume(s) - T(mu)) * s.cwiseInverse(); }
 
   template <typename T>
   Matrix<T> hessian(const Vector<T>& s) const
   {
-    return stretch.hessian(s) + Matrix<T>((T(6 * weight) * excess(s)).asDiagonal());
+    const Vector<T> inverse = s.cwiseInverse();
+    Matrix<T> result = T(lambda) * inverse * inverse.transpose();
+    for(int i = 0; i < 3; ++i)
+      result(i, i) += T(mu) - (T(lambda) * log_of_volume(s) - T(mu)) * inverse[i] * inverse[i];
+    return result;
   }
 };
 
 int main()
 {
-  const auto ball = [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(0, 0, 0)) - 1; };
-  const Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
-  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
-                                           params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
-                                           params::cell_size = 0.2);
-  // limits of time, as by default, would give another mesh in each run
-  const C3t3 c3t3 = CGAL::make_mesh_3<C3t3>(domain, criteria, params::no_perturb(), params::exude(params::time_limit = 0));
-
-  const auto point = c3t3.triangulation().geom_traits().construct_point_3_object();
-  const auto bend = [&point](const Vertex_handle v)
-  {
-    const Point_3 p = point(v->point());
-    return Point_3(2 * p.x(), p.y() + p.x() * p.x(), p.z());
-  };
-
-  std::cout << "weight   angle distortion (mean, max)   volume distortion (mean, max)\n";
-  for(const double weight : {0., 1., 100.})
-  {
-    std::unordered_map<Vertex_handle, Point_3> uvw;
-    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
-      c3t3, VMP::make_vertex_point_map(uvw),
-      params::boundary_map(boost::make_function_property_map<Vertex_handle>(bend))
-             .energy(Limited_stretch_energy_3{weight}));
-    if(result.status != VMP::OK)
+  constexpr double stretch = 1.5;
+  const Neo_Hookean_energy_3 energy;
+  VMP::Tetrahedron_soup_3 cube; // [-1, 1]^3
+  VMP::IO::read_MEDIT("data/cube.mesh", cube);
+  std::vector<std::array<double, 3> > targets(cube.points), images;
+  std::vector<VMP::Vertex_condition_3> conditions(cube.points.size());
+  for(std::size_t v = 0; v < cube.points.size(); ++v)
+    if(std::abs(cube.points[v][0]) == 1)
     {
-      std::cerr << result.message << std::endl;
-      return EXIT_FAILURE;
+      conditions[v] = VMP::Vertex_condition_3::in_plane(1, 0, 0);
+      targets[v][0] *= stretch;
     }
-    const VMP::Distortion_3& d = result.distortion_at_source_volume;
-    std::cout << weight << "\t " << d.angle_mean << ", " << d.angle_max
-              << "\t\t" << d.volume_mean << ", " << d.volume_max << "\n";
+
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    cube.points, cube.cells, targets, images,
+    params::vertex_condition_map(CGAL::make_property_map(conditions)).energy(energy).use_volume_weights(true).energy_tolerance(0));
+  std::cout << result.message << std::endl;
+  if(!result.has_valid_map)
+    return EXIT_FAILURE;
+
+  double force = 0, width = 0;
+  const std::vector<std::array<double, 3> > forces = VMP::measure_forces(cube.points, cube.cells, images, energy);
+  for(std::size_t v = 0; v < cube.points.size(); ++v)
+  {
+    force += cube.points[v][0] == 1 ? forces[v][0] : 0;
+    width = (std::max)(width, images[v][1]);
   }
-  return EXIT_SUCCESS;
+  // no stress across: mu (w^2 - 1) + lambda log(stretch w^2) = 0
+  double expected = 1;
+  for(int step = 0; step < 20; ++step)
+    expected -= (energy.mu * (expected * expected - 1) + energy.lambda * std::log(stretch * expected * expected))
+                / (2 * energy.mu * expected + 2 * energy.lambda / expected);
+  const double stress = energy.gradient(Eigen::Vector3d(stretch, expected, expected))[0];
+  std::cout << "lateral stretch " << width << ", in closed form " << expected << "\n"
+            << "force " << force << ", in closed form " << 4 * stress << std::endl;
+  return std::abs(width - expected) < 1e-6 && std::abs(force - 4 * stress) < 1e-5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -83,6 +83,7 @@ predicates on the written coordinates check that no cell is inverted.
                           (\ref VMPBoundarySlide)}
     \cgalParamType{Boolean}
     \cgalParamDefault{`false`}
+    \cgalParamExtra{A vertex whose target is not a number slides in the boundary of the source, from the start.}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_is_constrained_map}
     \cgalParamDescription{interior vertices with images in `boundary_map`, and boundary vertices that must not slide}
@@ -112,7 +113,16 @@ predicates on the written coordinates check that no cell is inverted.
     \cgalParamDescription{the energy whose mean over the cells is minimized (\ref VMPEnergy)}
     \cgalParamType{a model of `DistortionEnergy_3`}
     \cgalParamDefault{`Volume_mesh_parameterization::Stretch_energy_3()`}
-    \cgalParamExtra{The energy is evaluated with source and target scaled to the same volume.}
+    \cgalParamExtra{The singular values are divided by `reference_scale`.}
+  \cgalParamNEnd
+  \cgalParamNBegin{reference_scale}
+    \cgalParamDescription{the scale of the source at which its cells are undistorted}
+    \cgalParamType{`double`}
+    \cgalParamDefault{1 if vertices of the boundary are free, otherwise the cube root of the ratio of the volumes of target and
+                      source}
+    \cgalParamExtra{With 1, an elastic energy has the rest shape of the source. With
+                    `Volume_mesh_parameterization::found_reference_scale`, what is prescribed determines the scale.}
+    \cgalParamPrecondition{The value is positive and finite, or `found_reference_scale`.}
   \cgalParamNEnd
   \cgalParamNBegin{maximum_angle_distortion}
     \cgalParamDescription{a bound for the distortion of angles \f$\sigma_1/\sigma_3 + \sigma_3/\sigma_1\f$ of every cell

@@ -13,6 +13,7 @@
 #include <CGAL/Volume_mesh_parameterization/LPM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/LSCM_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/MIPS_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/Surface_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -25,6 +26,8 @@
 
 #include <cfenv>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <set>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -89,6 +92,14 @@ struct Quadric
     const Vector3d g = 2 * factors.cwiseProduct(vector(p) - center);
     return { g[0], g[1], g[2] };
   }
+};
+
+struct Oblique_plane
+{
+  Vector3d point, normal;
+
+  double value(const std::array<double, 3>& p) const { return normal.dot(vector(p) - point); }
+  std::array<double, 3> gradient(const std::array<double, 3>&) const { return { normal[0], normal[1], normal[2] }; }
 };
 
 // Returns the distance to a triangle, by projections on it and its sides.
@@ -237,7 +248,7 @@ private:
     const Vector3d shift = random.one_in(8) ? random.vector(size() * random.pick({0.1, 1., 1e3})) : Vector3d(Vector3d::Zero());
     const Facets facets = VMP::internal::boundary_facets_3(m_soup.cells);
     const std::set<std::size_t> boundary = vertices_of(facets);
-    const std::size_t kind = random.below(10), number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
+    const std::size_t kind = random.below(11), number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
     const int axis = static_cast<int>(random.below(3));
     const Vector3d direction = random_direction(random);
     for(std::size_t handles = kind < 3 ? kind : 0; handles > 0; --handles)
@@ -262,6 +273,8 @@ private:
       slide_on_quadric(random, boundary);
     if(kind == 9)
       slide_on_boundary(random, facets);
+    if(kind == 10)
+      slide_on_intersection(random, facets);
   }
 
   void slide_on_quadric(Random& random, const std::set<std::size_t>& boundary)
@@ -299,6 +312,36 @@ private:
       if(is_moved)
         for(double& x : m_targets[v])
           x += random.real(0.1 * size());
+    }
+  }
+
+  // Slides on a part of the boundary as it is, and there in planes or on quadrics. The vertices begin on it, or beyond its border.
+  void slide_on_intersection(Random& random, Facets facets)
+  {
+    facets.resize(1 + facets.size() / (1 + random.below(3)));
+    m_triangles = facets;
+    m_points = m_soup.points;
+    const VMP::Any_surface_3 patch = VMP::Triangulated_surface_3(m_points, facets);
+    const double radius = size() * random.pick({0.3, 0.9, 3.});
+    m_quadric = { (m_low + m_high) / 2, Vector3d(1, random.pick({0.5, 1.}), random.pick({0., 1.})) / (radius * radius) };
+    for(const std::size_t v : vertices_of(facets))
+    {
+      const Oblique_plane plane = { vector(m_soup.points[v]), random.vector(1) + Vector3d(0.1, 0, 0) };
+      const bool is_in_plane = random.one_in(2);
+      const VMP::Any_surface_3 second = is_in_plane ? VMP::Any_surface_3(VMP::Implicit_surface_3(plane))
+                                                    : VMP::Any_surface_3(VMP::Implicit_surface_3(m_quadric));
+      if(random.one_in(3))
+        m_conditions[v] = Condition::on_surface(patch);
+      else
+      {
+        m_conditions[v] = Condition::on_curve(VMP::Surface_intersection_3(patch, second));
+        m_second_values[v] = [is_in_plane, plane, quadric = m_quadric](const std::array<double, 3>& p)
+        {
+          return is_in_plane ? plane.value(p) / plane.normal.norm() : quadric.value(p) / vector(quadric.gradient(p)).norm();
+        };
+      }
+      for(double& x : m_targets[v])
+        x += random.pick({0., 0.1, 1.}) * random.real(size());
     }
   }
 
@@ -360,10 +403,13 @@ private:
     if(condition.kind() == Condition::AT_TARGET)
       expect(image == target, vertex + " is at its target");
     if(condition.kind() == Condition::IN_BOUNDARY) // facets that are nearly in one plane count as if they were
-      expect(distance_to_triangles(image, m_targets) <= 1e-6 * (size() + image.norm()), vertex + " is in the boundary");
+      expect(distance_to_triangles(image, targets_or_points()) <= 1e-6 * (size() + image.norm()), vertex + " is in the boundary");
     if(condition.is_sliding())
-      expect(distance_to_surface(image) <= (1e-12 + std::numeric_limits<NT>::epsilon()) * (size() + image.norm()),
+      expect(distance_to_surface(image) <= 64 * std::numeric_limits<NT>::epsilon() * (size() + image.norm()),
              vertex + " is on its surface");
+    if(const auto second = m_second_values.find(v); second != m_second_values.end())
+      expect(std::abs(second->second({ image[0], image[1], image[2] }))
+               <= 64 * std::numeric_limits<NT>::epsilon() * (size() + image.norm()), vertex + " is on its second surface");
     if(condition.kind() != Condition::IN_PLANE && condition.kind() != Condition::ON_LINE)
       return;
     const bool is_plane = condition.kind() == Condition::IN_PLANE;
@@ -394,6 +440,16 @@ private:
     return result;
   }
 
+  // The targets, and the points of the source where there are none: vertices slide there, too.
+  std::vector<std::array<double, 3> > targets_or_points() const
+  {
+    std::vector<std::array<double, 3> > result = m_targets;
+    for(std::size_t v = 0; v < result.size(); ++v)
+      if(std::isnan(result[v][0]))
+        result[v] = m_soup.points[v];
+    return result;
+  }
+
   double size() const { return (m_high - m_low).maxCoeff(); }
 
   VMP::Tetrahedron_soup_3 m_soup;
@@ -403,6 +459,7 @@ private:
   Quadric m_quadric; // on which vertices slide, or triangles if there are any
   Facets m_triangles;
   std::vector<std::array<double, 3> > m_points; // of the triangles
+  std::map<std::size_t, std::function<double(const std::array<double, 3>&)> > m_second_values; // distances, of curves
   Vector3d m_low = Vector3d::Constant(std::numeric_limits<double>::infinity()), m_high = -m_low;
   VMP::Boundary_mode m_mode = VMP::Boundary_mode::AUTO;
   VMP::Refinement_mode m_refinement = VMP::Refinement_mode::HELPFUL;

@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/conditions_of_patches.h>
+#include <CGAL/Volume_mesh_parameterization/measure_forces.h>
 #include <CGAL/Volume_mesh_parameterization/orient_tetrahedron_soup.h>
 
 #include <CGAL/property_map.h>
@@ -55,6 +56,8 @@ struct Problem
   std::vector<Condition> conditions;
   std::vector<Point> targets, images;
   VMP::Any_energy_3 energy = VMP::Symmetric_Dirichlet_energy_3();
+  double reference_scale = 1;
+  bool use_volume_weights = false;
 
   explicit Problem(VMP::Tetrahedron_soup_3 mesh)
     : soup(std::move(mesh)), conditions(soup.points.size()), targets(soup.points.size(), Point{ nan_, nan_, nan_ })
@@ -79,7 +82,8 @@ struct Problem
     const auto conditions_of_old = [&](const std::size_t v) { return v < conditions.size() ? conditions[v] : Condition(); };
     images.clear();
     const auto np = params::energy(energy)
-      .vertex_condition_map(boost::make_function_property_map<std::size_t>(conditions_of_old)).energy_tolerance(0);
+      .vertex_condition_map(boost::make_function_property_map<std::size_t>(conditions_of_old)).energy_tolerance(0)
+      .reference_scale(reference_scale).use_volume_weights(use_volume_weights);
     if(may_refine)
       return CGAL::stretch_minimizing_volume_parameterization(soup, targets, images,
                                                               np.refinement_mode(VMP::Refinement_mode::HELPFUL));
@@ -155,9 +159,11 @@ TEST_CASE("A body with handles follows a rigid motion and a similarity of these"
     const Eigen::Matrix3d A = scale * Eigen::AngleAxisd(2.5, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
     const auto moved = [&](const Vector3d& p) -> Vector3d { return A * p + Vector3d(7, 8, 9); };
     problem.set([](const Vector3d& p) { return p[2] == 0 || p[2] == 4; }, Condition::at_target(), moved);
+    problem.reference_scale = VMP::found_reference_scale;
     const VMP::Parameterization_result result = problem.run();
     REQUIRE(result.status == VMP::OK);
     CHECK(result.energy == Approx(6));
+    CHECK(result.reference_scale == Approx(scale));
     CHECK(problem.meets_conditions());
     std::vector<Point> expected;
     for(const Point& p : problem.soup.points)
@@ -196,6 +202,134 @@ TEST_CASE("Handles stretch a bar without a change of its scale")
     const Point& p = problem.soup.points[v];
     CHECK((vector(problem.images[v]) - Vector3d(p[0], p[1], 1.5 * p[2])).norm() < 1e-5);
   }
+}
+
+// Compressible, with the logarithm of the determinant.
+struct Neo_Hookean_energy_3
+{
+  static constexpr double mu = 1, lambda = 1.5;
+
+  template <typename T> using Vector = Eigen::Matrix<T, 3, 1>;
+  template <typename T> using Matrix = Eigen::Matrix<T, 3, 3>;
+
+  template <typename T>
+  static T log_determinant(const Vector<T>& s)
+  {
+    using std::log;
+    return log(s[0] * s[1] * s[2]);
+  }
+
+  template <typename T>
+  T value(const Vector<T>& s) const
+  {
+    const T l = log_determinant(s);
+    return T(mu / 2) * (s.squaredNorm() - T(3)) - T(mu) * l + T(lambda / 2) * l * l;
+  }
+
+  template <typename T>
+  Vector<T> gradient(const Vector<T>& s) const
+  {
+    const T l = log_determinant(s);
+    return T(mu) * s + (T(lambda) * l - T(mu)) * s.cwiseInverse();
+  }
+
+  template <typename T>
+  Matrix<T> hessian(const Vector<T>& s) const
+  {
+    const T l = log_determinant(s);
+    const Vector<T> inverse = s.cwiseInverse();
+    Matrix<T> result = T(lambda) * inverse * inverse.transpose();
+    for(int i = 0; i < 3; ++i)
+      result(i, i) += T(mu) - (T(lambda) * l - T(mu)) * inverse[i] * inverse[i];
+    return result;
+  }
+};
+
+// Returns the lateral stretch of a bar that is stretched along one axis, and free of forces along the others.
+double lateral_stretch(const double stretch)
+{
+  using Energy = Neo_Hookean_energy_3;
+  double low = 0.1, high = 2;
+  while(high - low > 1e-15)
+  {
+    const double a = (low + high) / 2;
+    (Energy::mu * (a * a - 1) + Energy::lambda * std::log(stretch * a * a) > 0 ? high : low) = a;
+  }
+  return low;
+}
+
+TEST_CASE("A body of rubber between two planes has its own size as reference, and neither turns nor drifts")
+{
+  for(const double stretch : { 1.5, 0.7 })
+  {
+    Problem problem = box(3);
+    for(Point& p : problem.soup.points)
+      p[0] *= 2;
+    problem.energy = Neo_Hookean_energy_3();
+    problem.use_volume_weights = true;
+    problem.set([](const Vector3d& p) { return p[0] == 0 || p[0] == 6; }, Condition::in_plane(1, 0, 0),
+                [&](const Vector3d& p) { return Vector3d(stretch * p[0], nan_, nan_); });
+    const VMP::Parameterization_result result = problem.run();
+    CAPTURE(result.message);
+    REQUIRE(result.status == VMP::OK);
+    CHECK(result.reference_scale == 1);
+    CHECK(result.message.find("3 motions") != std::string::npos);
+    CHECK(problem.meets_conditions());
+    const double lateral = lateral_stretch(stretch);
+    double force = 0;
+    const auto forces = VMP::measure_forces(problem.soup.points, problem.soup.cells, problem.images, Neo_Hookean_energy_3());
+    for(std::size_t v = 0; v < forces.size(); ++v)
+      if(problem.soup.points[v][0] == 6)
+        force += forces[v][0];
+      else if(problem.soup.points[v][0] != 0)
+        CHECK(vector(forces[v]).norm() < 1e-5);
+    CHECK(force == Approx(9 * (stretch - 1 / stretch + 1.5 * std::log(stretch * lateral * lateral) / stretch)).epsilon(1e-6));
+    CHECK((stretch != 1.5 || std::abs(lateral - 0.88) < 1e-3));
+    for(std::size_t v = 0; v < problem.images.size(); ++v)
+    {
+      Vector3d mean = Vector3d::Zero();
+      for(const Point& p : problem.soup.points)
+        mean += vector(p) / static_cast<double>(problem.soup.points.size());
+      const Vector3d d = vector(problem.soup.points[v]) - mean;
+      const Vector3d expected(stretch * problem.soup.points[v][0], mean[1] + lateral * d[1], mean[2] + lateral * d[2]);
+      CHECK((vector(problem.images[v]) - expected).norm() < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("Of all scales that an energy leaves open, that of the source is taken")
+{
+  Problem problem = box(3);
+  problem.energy = VMP::MIPS_energy_3();
+  problem.set([](const Vector3d& p) { return p == Vector3d(0, 0, 0); }, Condition::at_target(), as_it_is);
+  const VMP::Parameterization_result result = problem.run();
+  REQUIRE(result.status == VMP::OK);
+  CHECK(problem.largest_distance(problem.soup.points) < 1e-6);
+}
+
+TEST_CASE("A bar is bent by 120 degrees in one call without a crumple")
+{
+  VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(8, 0));
+  for(auto c = soup.cells.size(); c-- > 0;)
+    if(std::any_of(soup.cells[c].begin(), soup.cells[c].end(), [&](const std::size_t v)
+                   { return soup.points[v][1] > 2 || soup.points[v][2] > 2; }))
+      soup.cells.erase(soup.cells.begin() + static_cast<std::ptrdiff_t>(c));
+  for(Point& p : soup.points)
+    p[0] *= 1.5;
+  Problem problem(soup);
+  const double angle = 2 * CGAL_PI / 3, radius = 12 / angle;
+  const auto is_in_bar = [](const Vector3d& p) { return p[1] <= 2 && p[2] <= 2; };
+  problem.set([&](const Vector3d& p) { return is_in_bar(p) && p[0] == 0; }, Condition::at_target(), as_it_is);
+  problem.set([&](const Vector3d& p) { return is_in_bar(p) && p[0] == 12; }, Condition::at_target(), [&](const Vector3d& p)
+  {
+    const double r = radius - (p[1] - 1);
+    return Vector3d(r * std::sin(angle), 1 + radius - r * std::cos(angle), p[2]);
+  });
+  const VMP::Parameterization_result result = problem.run();
+  REQUIRE(result.status == VMP::OK);
+  CHECK(problem.meets_conditions());
+  CHECK(result.distortion.angle_max < 3);
+  CHECK(!result.boundary_crosses_itself);
 }
 
 // The mean of the symmetric Dirichlet energy over the cells; infinite if one is inverted.
@@ -298,6 +432,7 @@ TEST_CASE("Two planes prescribe one coordinate to the bit, and the scale")
     Problem problem = box(4);
     problem.set([](const Vector3d& p) { return p[2] == 0 || p[2] == 4; }, Condition::in_plane(0, 0, 1),
                 [&](const Vector3d& p) { return Vector3d(nan_, nan_, sign * 0.1 * p[2] / 4); });
+    problem.reference_scale = VMP::found_reference_scale;
     const VMP::Parameterization_result result = problem.run();
     REQUIRE(result.status == VMP::OK);
     CHECK(result.number_of_sliding_vertices == 50);
@@ -331,6 +466,7 @@ TEST_CASE("A shell becomes flat between two planes, and its scale is that of its
                 [](const Vector3d&) { return Vector3d(nan_, nan_, 0); });
     problem.set([](const Vector3d& p) { return std::abs(p.norm() - 2) < 1e-9; }, Condition::in_plane(0, 0, 1),
                 [&](const Vector3d&) { return Vector3d(nan_, nan_, depth); });
+    problem.reference_scale = VMP::found_reference_scale;
     const VMP::Parameterization_result result = problem.run();
     REQUIRE(result.status == VMP::OK);
     CHECK(problem.meets_conditions());
@@ -584,7 +720,7 @@ TEST_CASE("Patches of a complex have the conditions of a soup")
     c3t3, VMP::make_vertex_point_map(images),
     params::boundary_map(VMP::make_vertex_point_map(of_complex.targets))
            .vertex_condition_map(VMP::make_vertex_condition_map(std::as_const(of_complex.conditions)))
-           .energy(VMP::Symmetric_Dirichlet_energy_3()));
+           .energy(VMP::Symmetric_Dirichlet_energy_3()).reference_scale(VMP::found_reference_scale));
   REQUIRE(result.status == VMP::OK);
   CHECK(result.energy == Approx(6));
   for(std::size_t v = 0; v < vertices.size(); ++v)

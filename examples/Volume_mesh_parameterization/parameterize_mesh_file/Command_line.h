@@ -20,6 +20,7 @@
 struct Options
 {
   std::string source, target, domain, polycube_axes, features, regions, landmarks, others, conditions, inside, initial;
+  std::string reference_scale; // a number or found; empty by default
   std::string tetrahedra, output, refined_source, report, energy, solver, boundary, refinement;
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
@@ -218,6 +219,9 @@ inline Command_line command_line(Options& options)
   po::options_description distortion = options_of_both_programs::distortion(
     options, "stretch; mips with --improve; symmetric_dirichlet if boundary vertices are free");
   distortion.add_options()
+    ("reference-scale", po::value(&options.reference_scale)->value_name("NUMBER")->default_value("", "1, or found"),
+     "the scale of the source at which its cells are undistorted. found: that of equal volumes, or if a part of the boundary is "
+     "free, the stretch between vertices at their targets. If a part of the boundary is free, the default is 1, otherwise found")
     ("max-angle-distortion", po::value(&options.maximum_angle_distortion)->value_name("K")
        ->default_value(std::numeric_limits<double>::infinity(), "none"),
      "bring the distortion of angles of every cell below K, if possible; without distortion, it is 2")

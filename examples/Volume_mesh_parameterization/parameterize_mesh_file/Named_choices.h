@@ -20,6 +20,8 @@
 
 #include <CGAL/tags.h>
 
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -51,6 +53,21 @@ inline VMP::Any_energy_3 named_energy(const std::string& name)
     {"stretch", Stretch_energy_3()}, {"symmetric_dirichlet", Symmetric_Dirichlet_energy_3()}, {"mips", MIPS_energy_3()},
     {"arap", Barrier_energy_3<ARAP_energy_3>()}, {"dirichlet", Barrier_energy_3<Dirichlet_energy_3>()},
     {"lscm", Barrier_energy_3<LSCM_energy_3>()}, {"lpm", Barrier_energy_3<LPM_energy_3>()}});
+}
+
+// Without a name, a free boundary has the size of the source as reference.
+inline double named_reference_scale(const std::string& name, const bool is_boundary_free)
+{
+  if(name.empty())
+    return is_boundary_free ? 1 : VMP::found_reference_scale;
+  if(name == "found")
+    return VMP::found_reference_scale;
+  double result;
+  char rest;
+  std::istringstream is(name);
+  if(!(is >> result) || is >> rest || !(result > 0) || std::isinf(result))
+    throw std::runtime_error("--reference-scale needs a positive number, or found, and not '" + name + "'");
+  return result;
 }
 
 // The number of threads is limited at run time; results do not depend on it.

@@ -89,6 +89,7 @@ inline JSON_object json(const Options& options)
                       .add("slide", options.do_slide).add("energy", options.energy)
                       .add("volume_weights", options.use_volume_weights)
                       .add("energy_tolerance", options.energy_tolerance)
+                      .add("reference_scale", options.reference_scale)
                       .add("max_angle_distortion", options.maximum_angle_distortion)
                       .add("minimize_max_angle_distortion", options.minimize_maximum_angle_distortion)
                       .add("solver", options.solver)
@@ -204,6 +205,7 @@ inline JSON_object json(const VMP::Surface_fit_3& fit)
 {
   return JSON_object().add("distance_to_surface", fit.largest_distance_to_surface)
                       .add("distance_from_surface", fit.largest_distance_from_surface)
+                      .add("distance_of_landmarks", fit.largest_distance_of_landmarks)
                       .add("turned_facets", fit.number_of_turned_facets).add("intersections", fit.number_of_intersections);
 }
 
@@ -213,6 +215,8 @@ inline void print(const VMP::Surface_fit_3& fit)
             << fit.largest_distance_from_surface << " from the boundary; "
             << counted(fit.number_of_turned_facets, "facet is turned over, ", "facets are turned over, ")
             << counted(fit.number_of_intersections, "pair of facets intersects", "pairs of facets intersect") << "\n";
+  if(fit.largest_distance_of_landmarks > 0)
+    std::cout << "landmarks: at most " << fit.largest_distance_of_landmarks << " away from their points\n";
 }
 
 // Prints the result of a map.

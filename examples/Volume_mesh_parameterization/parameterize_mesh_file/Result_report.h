@@ -83,7 +83,8 @@ inline void print(const VMP::Parameterization_result& result)
   std::cout << result.number_of_cells << " cells, " << result.number_of_vertices << " vertices, "
             << result.number_of_boundary_vertices << " on the boundary\n"
             << result.number_of_iterations << " iterations in " << result.seconds_total << " s, "
-            << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << "\n"
+            << result.number_of_inverted_cells << " inverted cells, energy " << result.energy << " at scale "
+            << result.reference_scale << "\n"
             << "distortion of angles:  mean " << d.angle_mean << ", max " << d.angle_max << "\n"
             << "distortion of volumes: mean " << d.volume_mean << ", max " << d.volume_max
             << " (of the map scaled to the volume of the source)\n";
@@ -117,6 +118,7 @@ inline void add(JSON_object& report, const VMP::Parameterization_result& result)
         .add("seconds_minimization", result.seconds_minimization)
         .add("seconds_check", result.seconds_check)
         .add("energy_value", result.energy)
+        .add("reference_scale", result.reference_scale)
         .add("distortion", json(result.distortion))
         .add("distortion_at_source_volume", json(result.distortion_at_source_volume))
         .add("boundary_distortion", result.boundary_distortion)

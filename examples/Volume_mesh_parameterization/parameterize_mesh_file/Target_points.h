@@ -106,9 +106,9 @@ inline void complete_boundary(const VMP::Tetrahedron_soup_3& soup, const Options
   {
     is_met[v] = false;
     const bool is_given = has_target(target.points, v), stays = others == Others::MISSING || others == Others::STAY;
-    const bool moves = options.do_slide ? !is_given || others != Others::SLIDE : !is_given && !stays;
+    const bool moves = options.do_slide ? others != (is_given ? Others::SLIDE : Others::MISSING) : !is_given && !stays;
     target.conditions[v] = moves ? Condition::free() : Condition::at_target();
-    if(!is_given && (others == Others::STAY || others == Others::SLIDE))
+    if(!is_given && others == Others::STAY)
       target.points[v] = soup.points[v];
   }
 }

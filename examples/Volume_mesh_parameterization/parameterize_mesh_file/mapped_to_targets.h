@@ -17,6 +17,8 @@
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/make_parameterizable.h>
 
+#include <CGAL/Bbox_3.h>
+
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
@@ -68,22 +70,39 @@ inline std::size_t split_bridges(Mapped_mesh& mapped, Progress_line& progress)
   return result;
 }
 
+// Returns the condition of a point on sharp edges of a surface: it slides along a curve, or stays where curves meet.
+inline std::optional<VMP::Vertex_condition_3> condition_on_features(const VMP::Triangulated_surface_3& surface,
+                                                                    const std::array<double, 3>& p)
+{
+  constexpr double rounding = 1e-13; // relative to the coordinates
+  std::optional<VMP::Vertex_condition_3> result;
+  for(std::size_t i = 0; i < surface.number_of_curves(); ++i)
+  {
+    const auto [q, direction] = surface.curve(i).nearest_point(p);
+    if(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]) <= rounding * std::hypot(p[0], p[1], p[2]))
+      result = result ? VMP::Vertex_condition_3::at_target() : VMP::Vertex_condition_3::on_curve(surface.curve(i));
+  }
+  return result;
+}
+
 // Lets the boundary of a map slide on the surface that it has been fitted to. The source remains as it is. The
 // report needs the measure of the result, which is not taken if facets are turned over or intersect each other.
 template <typename NamedParameters>
-Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const NamedParameters& np)
+Result slid_on_surface(Mapped_mesh& mapped, const Result& fitted, const Landmarks& landmarks, const NamedParameters& np)
 {
-  const VMP::Any_surface_3 surface = VMP::Triangulated_surface_3(mapped.surface.points, mapped.surface.facets);
+  const VMP::Triangulated_surface_3 surface(mapped.surface.points, mapped.surface.facets);
+  const VMP::Any_surface_3 whole = surface;
   std::vector<VMP::Vertex_condition_3> conditions(mapped.mesh.points.size());
   for(const std::size_t v : VMP::boundary_vertices(mapped.mesh.points, mapped.mesh.cells))
-    conditions[v] = VMP::Vertex_condition_3::on_surface(surface);
+    conditions[v] = condition_on_features(surface, mapped.uvw[v]).value_or(VMP::Vertex_condition_3::on_surface(whole));
   Points uvw;
   Result result = CGAL::stretch_minimizing_volume_parameterization<Concurrency_tag>(
     mapped.mesh, mapped.uvw, uvw, np.refinement_mode(VMP::Refinement_mode::NONE)
       .vertex_condition_map(CGAL::make_property_map(conditions)).initial_map(CGAL::make_property_map(mapped.uvw)));
   if(!result.has_valid_map || result.boundary_residual > 0)
     return fitted;
-  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.facets);
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mapped.mesh.cells, mapped.surface.points, mapped.surface.facets,
+                                                           landmarks);
   if(fit.number_of_turned_facets > 0 || fit.number_of_intersections > 0)
   {
     result = fitted;
@@ -111,6 +130,7 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
         .use_regular_references(options.do_improve)
         .use_volume_weights(options.use_volume_weights)
         .energy_tolerance(options.energy_tolerance)
+        .reference_scale(named_reference_scale(options.reference_scale, mapped.target.is_boundary_free))
         .maximum_angle_distortion(options.minimize_maximum_angle_distortion ? VMP::least_angle_distortion
                                                                             : options.maximum_angle_distortion)
         .solver_traits(solver)
@@ -137,7 +157,7 @@ inline Result parameterize(Mapped_mesh& mapped, const Options& options, const La
                                                                                  sliding.boundary_parameterizer(boundary));
       }, is_fit ? surface_fit(mapped.surface, landmarks, mapped.mesh.points, options.tolerance)
                 : named_boundary_parameterizer(options.domain, polycube, landmarks));
-      return is_fit && options.do_slide && result.has_valid_map ? slid_on_surface(mapped, result, np) : result;
+      return is_fit && options.do_slide && result.has_valid_map ? slid_on_surface(mapped, result, landmarks, np) : result;
     };
     return mapped.initial.empty() ? map(np) : map(np.initial_map(CGAL::make_property_map(mapped.initial)));
   }, named_solver(options.solver));
@@ -172,6 +192,10 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
      && named_refinement(options.refinement).mode == VMP::Refinement_mode::NONE
      && result.message.find("No refinement helps") == std::string::npos)
     result.message += " --refine splits such cells.";
+  if((result.status == VMP::ERROR_NOT_FLIP_FREE || result.status == VMP::ERROR_BOUNDARY_NOT_REACHED)
+     && named_others(options.others) == Others::STAY)
+    result.message += " --others slide lets vertices without a target move in the walls of the source, and --conditions FILE says "
+                      "what each part of the boundary may do.";
   if(!result.has_valid_map && !mapped.target.inside.empty() && result.status != VMP::ERROR_INTERRUPTED)
     result.message += " Interior vertices have targets, too; --inside free ignores them.";
   if(result.status == VMP::ERROR_INTERRUPTED)
@@ -192,6 +216,22 @@ inline std::string note_of_features_given_up(const PM::Polycube_result& polycube
   result << polycube.number_of_edges_given_up() << " of " << polycube.number_of_sharp_edges
          << " sharp edges follow no axis of the polycube, in " << counted(lines, "line", "lines")
          << ". Hexahedra do not follow these edges. The longest line goes through (" << x << ", " << y << ", " << z << ")";
+  return result.str();
+}
+
+// Warns of landmarks that are far from their points, compared with the size of the surface.
+inline std::string note_on_landmarks(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
+{
+  constexpr double large_part = 0.05; // a guess
+  CGAL::Bbox_3 box;
+  for(const auto& [x, y, z] : surface.points)
+    box += CGAL::Bbox_3(x, y, z, x, y, z);
+  const double part = fit.largest_distance_of_landmarks / std::hypot(box.x_span(), box.y_span(), box.z_span());
+  if(!(part > large_part))
+    return "";
+  std::ostringstream result;
+  result << "A landmark is " << fit.largest_distance_of_landmarks << " away from its point, " << part
+         << " times the diagonal of the surface. Its points may be exchanged with others. Check the file, or add landmarks";
   return result.str();
 }
 

@@ -164,6 +164,13 @@ struct Linear_constraint_3
 constexpr double least_angle_distortion = 2;
 
 /// \ingroup PkgVolumeMeshParameterizationResults
+///
+/// The value of the named parameter `reference_scale` that takes the scale from what is prescribed. If the boundary is prescribed,
+/// it is that of equal volumes. If a part of the boundary is free, it is the median stretch of edges between vertices at their
+/// targets, or of distances between other conditions.
+constexpr double found_reference_scale = 0;
+
+/// \ingroup PkgVolumeMeshParameterizationResults
 /// The phases of a parameterization. With soft boundary, all steps are minimization.
 enum class Phase
 {

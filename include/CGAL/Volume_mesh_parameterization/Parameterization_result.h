@@ -244,8 +244,11 @@ struct Parameterization_result
   /// patches of cells, one of the settings of untangling, or the soft boundary
   std::string untangling_method;
 
-  /// mean of \f$\psi\f$ over the cells, weighted as in the minimization; not a number without a valid map. Both meshes are scaled
-  /// to one volume. If a part of the boundary is free, the conditions prescribe the scale.
+  /// the scale of the source at which its cells have the least energy: see the named parameter `reference_scale`; not a number
+  /// without a valid map
+  double reference_scale = std::numeric_limits<double>::quiet_NaN();
+  /// mean of \f$\psi\f$ over the cells at the scale of reference, weighted as in the minimization; not a number without a valid
+  /// map
   double energy = std::numeric_limits<double>::quiet_NaN();
   Distortion_3 distortion;                  ///< distortion of the map as it is; not numbers without a valid map
   Distortion_3 distortion_at_source_volume; ///< distortion of the map scaled as for the energy

@@ -72,7 +72,8 @@ public:
   static Vertex_condition_3 on_curve(const Any_surface_3& curve) { return { ON_CURVE, curve }; }
 
   /// returns the condition of a vertex of the boundary that slides in patches of the target, and along the edges between them
-  /// (\ref VMPBoundarySlide). With `do_slide_boundary(true)`, all vertices of the boundary that are not constrained do so.
+  /// (\ref VMPBoundarySlide). If its target is not a number, it slides in the boundary of the source, from the start. With
+  /// `do_slide_boundary(true)`, all vertices of the boundary that are not constrained do so.
   /// A vertex inside, or of a facet with a vertex that is not at its target first, stays at its target.
   static Vertex_condition_3 in_boundary() { return { IN_BOUNDARY, {} }; }
 

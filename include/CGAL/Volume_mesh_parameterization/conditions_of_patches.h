@@ -22,6 +22,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -37,13 +38,22 @@ namespace CGAL::Volume_mesh_parameterization {
 /*!
 \ingroup PkgVolumeMeshParameterizationResults
 
-The condition of the images of the vertices of a surface patch: they keep their positions, are in a plane, or slide on a surface.
+The condition of the images of the vertices of a surface patch: they keep their positions, are
+at targets, in a plane, or slide on a surface.
 */
 class Patch_condition_3
 {
 public:
   /// returns the condition of vertices that keep their positions.
   static Patch_condition_3 in_place() { return Patch_condition_3(IN_PLACE); }
+
+  /// returns the condition of vertices at targets: `target(p)` is that of a vertex at the point `p`.
+  static Patch_condition_3 at(const std::function<std::array<double, 3>(const std::array<double, 3>&)>& target)
+  {
+    Patch_condition_3 result(AT_TARGETS);
+    result.m_target = target;
+    return result;
+  }
 
   /// returns the condition of vertices with the coordinate `value` along an axis, 0 for x, 1 for y, 2 for z.
   /// \pre The axis is 0, 1 or 2, and the value is finite.
@@ -89,6 +99,8 @@ public:
   {
     if(m_kind == IN_PLACE)
       position.add_start(source);
+    else if(m_kind == AT_TARGETS)
+      position.add_target(m_target(position.start()), source);
     else if(m_kind == IN_PLANE)
       position.add_plane(m_normal, m_offset, source);
     else if(m_kind == ON_SURFACE)
@@ -97,11 +109,12 @@ public:
 #endif
 
 private:
-  enum Kind { IN_PLACE, IN_PLANE, ON_SURFACE, ON_OWN_SURFACE };
+  enum Kind { IN_PLACE, AT_TARGETS, IN_PLANE, ON_SURFACE, ON_OWN_SURFACE };
 
   explicit Patch_condition_3(const Kind kind) : m_kind(kind) {}
 
   Kind m_kind;
+  std::function<std::array<double, 3>(const std::array<double, 3>&)> m_target;
   std::array<double, 3> m_normal = {};
   std::optional<double> m_offset;
   std::optional<Any_surface_3> m_surface;

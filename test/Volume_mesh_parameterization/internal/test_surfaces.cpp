@@ -193,6 +193,58 @@ TEST_CASE("Points are put back to the nearest point of a triangulated surface")
   CHECK_THROWS_AS(VMP::Triangulated_surface_3(soup.points, { { 0, 1, 1 } }), VMP::Input_error);
 }
 
+// A sphere whose values have any size, also one whose square is no number.
+struct Scaled_sphere
+{
+  double factor;
+  double value(const Point& p) const { return factor * (vector(p).squaredNorm() - 1); }
+  Point gradient(const Point& p) const { return { 2 * factor * p[0], 2 * factor * p[1], 2 * factor * p[2] }; }
+};
+
+// Its slope at the plane z = 0 is infinite.
+struct Cube_root
+{
+  double value(const Point& p) const { return std::cbrt(p[2]); }
+  Point gradient(const Point& p) const { return { 0, 0, 1 / (3 * std::cbrt(p[2] * p[2])) }; }
+};
+
+TEST_CASE("Slopes of implicit surfaces may have any size that is finite")
+{
+  for(const double factor : { 1e-200, 1., 1e154, 1e300 })
+  {
+    const Vector3d p = vector(VMP::Implicit_surface_3(Scaled_sphere{ factor }).nearest_point({ 0.3, 0.4, 1.2 }).point);
+    CHECK(std::abs(p.norm() - 1) < 1e-15);
+  }
+  Problem problem(body(2, [](const Vector3d& p) -> Vector3d { return p + Vector3d(0, 0, 1.25); }));
+  const VMP::Any_surface_3 surface = VMP::Implicit_surface_3(Cube_root());
+  for(std::size_t v = 0; v < problem.soup.points.size(); ++v)
+    if(problem.soup.points[v][2] == 0.25)
+      problem.conditions[v] = Condition::on_surface(surface);
+  const VMP::Parameterization_result result = problem.run();
+  CHECK(!result.has_valid_map);
+  CHECK(result.message.find("Newton's method diverges") != std::string::npos);
+}
+
+TEST_CASE("A curve ends at the border of a patch")
+{
+  // a quarter of the unit square in the plane z = 0, and the plane y = 0.3 + x / 2
+  const VMP::Any_surface_3 patch = VMP::Triangulated_surface_3({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+                                                               { { 0, 1, 2 }, { 0, 2, 3 } });
+  struct Plane
+  {
+    double value(const Point& p) const { return p[1] - p[0] / 2 - 0.3; }
+    Point gradient(const Point&) const { return { -0.5, 1, 0 }; }
+  };
+  const VMP::Any_surface_3 plane = VMP::Implicit_surface_3(Plane());
+  for(const auto& curve : { VMP::Surface_intersection_3(patch, plane), VMP::Surface_intersection_3(plane, patch) })
+  {
+    const auto nearest = [&](const Point& p) { return vector(curve.nearest_point(p).point); };
+    CHECK((nearest({ 0.5, 0.5, 0.2 }) - Vector3d(0.5, 0.55, 0)).norm() < 0.1);
+    CHECK((nearest({ 3, 1.5, 0 }) - Vector3d(1, 0.8, 0)).norm() < 1e-14);
+    CHECK((nearest({ -2, 0.1, 0.3 }) - Vector3d(0, 0.3, 0)).norm() < 1e-14);
+  }
+}
+
 TEST_CASE("A tank whose boundary was stirred slides back on its wall, which is exact")
 {
   Problem problem = tank(4, 1);

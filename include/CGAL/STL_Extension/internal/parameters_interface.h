@@ -29,6 +29,7 @@ CGAL_add_named_parameter(maximum_angle_distortion_t, maximum_angle_distortion, m
 CGAL_add_named_parameter(do_keep_interfaces_t, do_keep_interfaces, do_keep_interfaces)
 CGAL_add_named_parameter(minimum_scaled_jacobian_t, minimum_scaled_jacobian, minimum_scaled_jacobian)
 CGAL_add_named_parameter(positional_constraints_t, positional_constraints, positional_constraints)
+CGAL_add_named_parameter(reference_scale_t, reference_scale, reference_scale)
 CGAL_add_named_parameter(refinement_mode_t, refinement_mode, refinement_mode)
 CGAL_add_named_parameter(soft_boundary_parameters_t, soft_boundary_parameters, soft_boundary_parameters)
 CGAL_add_named_parameter(solver_traits_t, solver_traits, solver_traits)

@@ -48,6 +48,11 @@ Map_options_3 map_options_3(const NamedParameters& np)
   options.soft = parameter_or(np, internal_np::soft_boundary_parameters,
     options.mode == Boundary_mode::SOFT ? Soft_boundary_parameters() : approaching_soft_boundary_parameters());
   options.refinement = parameter_or(np, internal_np::refinement_mode, options.refinement);
+  if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::reference_scale_t>::value)
+    options.reference_scale = parameters::get_parameter(np, internal_np::reference_scale);
+  const double scale = options.reference_scale.value_or(found_reference_scale);
+  require(scale == found_reference_scale || (scale > 0 && std::isfinite(scale)),
+          "reference_scale must be positive and finite, or found_reference_scale.");
   options.use_volume_weights = parameter_or(np, internal_np::use_volume_weights, options.use_volume_weights);
   options.use_regular_references = parameter_or(np, internal_np::use_regular_references, options.use_regular_references);
   if(options.use_regular_references)
@@ -105,7 +110,7 @@ public:
                            internal_np::do_slide_boundary_t, internal_np::energy_t, internal_np::energy_tolerance_t,
                            internal_np::initial_map_t, internal_np::maximum_angle_distortion_t,
                            internal_np::number_of_iterations_t, internal_np::positional_constraints_t,
-                           internal_np::refinement_mode_t, internal_np::soft_boundary_parameters_t,
+                           internal_np::reference_scale_t, internal_np::refinement_mode_t, internal_np::soft_boundary_parameters_t,
                            internal_np::solver_traits_t, internal_np::use_regular_references_t,
                            internal_np::use_volume_weights_t, internal_np::verbose_t, internal_np::vertex_condition_t,
                            internal_np::vertex_is_constrained_t>(np);

@@ -46,6 +46,8 @@ struct Found_map_3
   std::string untangling_method;        // that has found the first map
   bool may_be_near_minimum = false;     // if the initial map needed no step to untangle; then the full Hessian is tried first
   std::size_t number_of_sliding_vertices = 0;
+  Conditions_3 conditions;              // of prescribed vertices that have slid; none if none has
+  int number_of_open_motions = 0;       // of the image as a whole, by conditions and energy
   bool has_slid_on_surfaces = false;    // whose facets may intersect each other if they did before
   std::size_t number_of_inverted_cells_at_start = 0;
   Splits_3 splits;                      // with which fewer cells are inverted, if few are left and some were found
@@ -53,6 +55,10 @@ struct Found_map_3
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized
   double missed_angle_distortion = 0;      // the largest bound that was not reached
+
+  // The condition that the map was checked for.
+  Vertex_condition_3 condition(const Numbered_mesh_3& mesh, const int v) const
+  { return conditions.empty() || mesh.is_free(v) ? mesh.condition(v) : conditions[v - mesh.number_of_free_vertices]; }
 
   // Are cells left inverted, and splits known that make them fewer?
   bool is_stuck() const { return !splits.edges.empty(); }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -41,6 +42,7 @@ struct Map_options_3
   double maximum_angle_distortion = std::numeric_limits<double>::infinity();
   bool minimize_maximum_angle_distortion = false;
   decltype(&slide_and_bound_angles_3) improve = nullptr; // if it is wanted; otherwise it need not be compiled
+  std::optional<double> reference_scale; // given by the user; `found_reference_scale` stands for one that is found
   bool use_volume_weights = false;
   bool use_regular_references = false;   // in place of the cells of the source, which may be tangled
   bool is_parallel = false;

@@ -89,7 +89,7 @@ public:
 
 private:
   double length_of_target() const
-  { return std::cbrt(m_mesh.alignment ? target_volume(m_mesh) : volume(m_mesh, snapped(m_mesh, m_aligned_source))); }
+  { return std::cbrt(m_mesh.reference_scale ? reference_volume(m_mesh) : volume(m_mesh, snapped(m_mesh, m_aligned_source))); }
 
   void end(const Error_code status, const std::string& reason = std::string())
   {

@@ -15,15 +15,39 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Soft_boundary_search_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/diagnose_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Staged_targets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/open_motions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/untangle_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Does an energy not change if all singular values grow alike?
+inline bool is_scale_invariant(const Cell_energy_3& energy)
+{
+  const Vector_3 s(1.1, 1, 0.9);
+  const std::vector<double> psi = energies_of_cells_3({ s, 2 * s }, energy, 1);
+  return std::abs(psi[1] - psi[0]) <= 1e-10 * std::abs(psi[0]);
+}
+
+// Moves an image as a whole, as far as conditions and energy leave that open, to where it is nearest to the source.
+inline Found_map_3 nearest_to_source_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found)
+{
+  const Open_motions_3 motions(mesh, is_scale_invariant(problem.energy));
+  const int number = motions.number(found.map.positions);
+  if(number == 0)
+    return found;
+  if(Map_3 map = evaluated_map(mesh, snapped(mesh, motions.nearest_to_source(found.map.positions))); map.is_solution())
+  {
+    found.map = std::move(map);
+    found.number_of_open_motions = number;
+  }
+  return found;
+}
+
 // Untangles with the prescribed vertices on their targets, and minimizes, unless vertices will slide in the boundary. If cells are
 // too flat for the linear solver, their vertices move before all others.
-inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
-                                                  const Search_start_3& start)
+inline Found_map_3 find_map_from_start_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, const Search_start_3& start)
 {
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
@@ -39,6 +63,58 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
     found = minimize_map_3(system, problem, std::move(found));
   }
   return found;
+}
+
+// Is a map of a body with free boundary missing, or crumpled, such that it may have a better minimum?
+inline bool is_crumpled(const Numbered_mesh_3& mesh, const Found_map_3& found)
+{
+  constexpr double large_distortion = 3; // a guess
+  return !found.map.is_solution() || largest_angle_distortion_3(mesh, found.map.positions) > large_distortion;
+}
+
+// Moves handles to their targets in stages, each from the last map. Returns nothing if a stage has no map.
+inline std::optional<Found_map_3> find_map_in_stages_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem)
+{
+  constexpr double coarse = 0.1; // a guess for the tolerance of stages before the last one
+  const Staged_targets_3 targets(mesh);
+  const int number_of_stages = targets.number_of_stages();
+  if(number_of_stages == 1)
+    return std::nullopt;
+  std::optional<Found_map_3> found;
+  for(int stage = 1; stage <= number_of_stages; ++stage)
+  {
+    const bool is_last = stage == number_of_stages;
+    Numbered_mesh_3 at_stage = is_last ? mesh : targets.mesh_at(double(stage) / number_of_stages);
+    at_stage.initial = found ? found->map.positions : moved(*mesh.alignment, mesh.source);
+    Map_options_3 options = problem.options;
+    if(!is_last)
+      options.energy_tolerance = (std::max)(coarse, options.energy_tolerance);
+    found = find_map_from_start_3(at_stage, { options, problem.energy, problem.solver, problem.progress }, Search_start_3());
+    if(!found->map.is_solution() || (problem.progress.is_interrupted() && !is_last))
+      return std::nullopt;
+  }
+  found->untangling_method = "stages";
+  return found;
+}
+
+// Finds a map with the prescribed vertices on their targets. If the map of a body with free boundary is crumpled, handles move in
+// stages, and the map with less energy is taken.
+inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
+                                                  const Search_start_3& start)
+{
+  Found_map_3 found = find_map_from_start_3(mesh, problem, start);
+  if(!mesh.alignment || has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY))
+    return found;
+  const auto energy = [&](const Map_3& map)
+  {
+    return mean_energy_3(mesh, singular_values_of_cells_3(mesh, map.positions), problem.energy,
+                         factor_to_source_volume(mesh, map.positions));
+  };
+  if(mesh.initial.cols() == 0 && start.stage == Search_start_3::Stage::NONE && is_crumpled(mesh, found))
+    if(std::optional<Found_map_3> staged = find_map_in_stages_3(mesh, problem); staged
+       && (!found.map.is_solution() || energy(staged->map) < energy(found.map)))
+      found = std::move(*staged);
+  return found.map.is_solution() ? nearest_to_source_3(mesh, problem, std::move(found)) : found;
 }
 
 // Finds a map whose boundary approaches its targets, and inverts no cell from the beginning. As soon as the boundary can be put on

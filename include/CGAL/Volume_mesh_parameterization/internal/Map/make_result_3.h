@@ -43,22 +43,21 @@ inline std::string reason_of(const Error_code status, const Found_map_3& found, 
   return reason.empty() ? "" : " " + reason;
 }
 
-// Returns sentences on how far the boundary is from its targets, where most, and on the remedy.
-inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
-                                            const bool is_refinable)
+// Returns sentences on how far the boundary is from where it may be, where most, and on the remedy.
+inline std::string describe_missed_boundary(const Numbered_mesh_3& mesh, const Found_map_3& found, const bool is_refinable)
 {
-  const auto distance_of = [&](const int w)
-  { return offset_3(mesh.projector(w), positions.col(w), mesh.target.col(w)).norm(); };
-  int v = mesh.number_of_free_vertices;
-  for(int w = v + 1; w < mesh.number_of_vertices(); ++w)
-    if(distance_of(w) > distance_of(v))
-      v = w;
-  const double distance = distance_of(v);
+  const auto& [v, allowed, distance] = found.map.farthest_vertex;
+  if(v < 0)
+    return "";
+  const std::string position = "The vertex of the source at " + describe(mesh.source.col(v)) + " is at "
+                            + describe(found.map.positions.col(v));
+  if(const Vertex_condition_3 condition = found.condition(mesh, v); condition.is_sliding())
+    return " " + position + sentence(", ", distance, " off its surface or curve.")
+           + (std::isfinite(distance) ? " Let it start nearer to the surface." : " " + std::string(fault_of_surface));
   return sentence(" The largest distance of a vertex to its target is ", distance, ", ", distance / target_diagonal(mesh),
-                  " times the diagonal of all targets. The vertex of the source at ", describe(mesh.source.col(v)), " is at ",
-                  describe(positions.col(v)), " instead of ", describe(mesh.target.col(v)),
-                  is_refinable ? sentence(". Allow refinement (", way_to_refine, "), or prescribe") : ". Prescribe",
-                  " a boundary nearer to the source there.");
+                  " times the diagonal of all targets. ") + position + " instead of " + describe(allowed)
+         + sentence(is_refinable ? sentence(". Allow refinement (", way_to_refine, "), or prescribe") : ". Prescribe",
+                    " a boundary nearer to the source there.");
 }
 
 // Counts the cells that the boundary alone distorts, which refinement splits; empty if there are none.
@@ -97,19 +96,23 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
                                mesh.is_whole() ? "CHOLMOD_solver_traits_3 has no limit."
                                                                    : "PETSc's option -ksp_max_it sets it.");
   if(result.status == ERROR_BOUNDARY_NOT_REACHED)
-    result.message += describe_missed_boundary(mesh, found.map.positions, check.is_refinable);
+    result.message += describe_missed_boundary(mesh, found, check.is_refinable);
   if((result.status == ERROR_BOUNDARY_NOT_REACHED || result.status == ERROR_NOT_FLIP_FREE)
-     && !mesh.alignment && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
+     && mesh.is_boundary_fixed && mesh.is_whole()) // otherwise facets between processes would seem to be on the boundary
     if(const std::string crossing = describe_self_intersection(mesh, mesh.target, "prescribed boundary", progress.budget());
        !crossing.empty())
       result.message += crossing + ". Few such boundaries have a map without inverted cells, and no such map is one to one.";
-  if(found.map.is_valid() && (mesh.alignment || found.has_slid_on_surfaces))
+  if(found.map.is_valid() && (!mesh.is_boundary_fixed || found.has_slid_on_surfaces))
     if(const std::string crossing = describe_self_intersection(mesh, found.map.positions, "free boundary", progress.budget());
        !crossing.empty())
     {
       result.boundary_crosses_itself = true;
       result.message += crossing + ". Therefore, the map is not one to one.";
     }
+  if(found.number_of_open_motions > 0)
+    result.message += sentence(" The conditions leave the image as a whole ",
+                               counted(std::size_t(found.number_of_open_motions), "motion", "motions"),
+                               ". It is where the sum of the squared distances to the source is least.");
   result.has_valid_map = found.map.is_valid();
   if(result.has_valid_map && result.status != ERROR_BOUNDARY_NOT_REACHED && check.is_refinable && mesh.is_whole()
      && !found.has_slid_on_surfaces) // off their targets
@@ -125,6 +128,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
   {
     const std::vector<Vector_3> s = singular_values_of_cells_3(mesh, found.map.positions);
     const double to_source_volume = factor_to_source_volume(mesh, found.map.positions);
+    result.reference_scale = 1 / to_source_volume;
     result.boundary_residual = found.map.distance_to_boundary / target_diagonal(mesh);
     result.distortion = measure_distortion_3(mesh, s);
     result.distortion_at_source_volume = measure_distortion_3(mesh, s, to_source_volume);

@@ -55,16 +55,59 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void print(const Derivative_errors_3& e
               << " of their size." << std::endl;
 }
 
+// Gives points that slide in the boundary and have no target the planes, edges and patches of the source.
+inline Prescription_3 with_conditions_of_source(const Body_3& body, Prescription_3 prescription)
+{
+  std::vector<bool> slides(body.points.size());
+  for(std::size_t p = 0; p < slides.size(); ++p)
+    slides[p] = prescription.conditions[p].kind() == Vertex_condition_3::IN_BOUNDARY && std::isnan(prescription.targets[p][0]);
+  if(std::find(slides.begin(), slides.end(), true) == slides.end())
+    return prescription;
+  Numbered_body_3 numbered(body, prescription.prescribed_points(), body.points);
+  Numbered_mesh_3& mesh = numbered.mesh;
+  const auto point = [&](const std::size_t i) { return numbered.points[mesh.number_of_free_vertices + i]; };
+  for(int i = 0; i < mesh.number_of_prescribed_vertices(); ++i)
+    mesh.sliding_conditions.push_back(slides[point(i)] ? Vertex_condition_3::in_boundary() : Vertex_condition_3::at_target());
+  const Conditions_3 conditions = Sliding_boundary_3(mesh).conditions();
+  for(std::size_t i = 0; i < conditions.size(); ++i)
+    if(const std::size_t p = point(i); slides[p])
+    {
+      prescription.conditions[p] = conditions[i];
+      prescription.targets[p] = body.image_type.rounded_point(body.points[p]);
+    }
+  prescription.slides_in_source = slides;
+  return prescription;
+}
+
+// Returns the condition of a vertex until vertices slide. Before it slides on a surface or curve of the source, it keeps to the
+// tangent plane or the tangent where it starts, which becomes its target.
+inline Vertex_condition_3 first_condition_3(const Vertex_condition_3& condition, const bool slides_in_source,
+                                            const Vector_3& start, Vector_3& target)
+{
+  if(!slides_in_source || !condition.is_sliding())
+    return does_slide_later(condition) ? Vertex_condition_3::at_target() : condition;
+  const auto [point, d] = put_on_surface_3(condition, start);
+  target = point;
+  return condition.kind() == Vertex_condition_3::ON_CURVE ? Vertex_condition_3::on_line(d[0], d[1], d[2])
+                                                          : Vertex_condition_3::in_plane(d[0], d[1], d[2]);
+}
+
 // Sets what the prescribed vertices of a body may do, and aligns the source to what is prescribed if a part of the boundary is
-// free. Targets in free directions become those of the aligned source.
+// free. Targets in free directions become those of the aligned source. A body that slides in the boundary of the source starts as
+// it is.
 inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, const Prescription_3& prescription)
 {
   Numbered_mesh_3& mesh = numbered.mesh;
+  const auto slides_in_source = [&](const std::size_t p)
+  { return !prescription.slides_in_source.empty() && prescription.slides_in_source[p]; };
   for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
   {
     const Vertex_condition_3& condition = prescription.conditions[numbered.points[v]];
     mesh.sliding_conditions.push_back(condition);
-    mesh.conditions.push_back(does_slide_later(condition) ? Vertex_condition_3::at_target() : condition);
+    const std::size_t p = numbered.points[v];
+    const bool has_start = !prescription.initial.empty() && !std::isnan(prescription.initial[p][0]);
+    const Vector_3 start = has_start ? to_vector(prescription.initial[p]) : mesh.target.col(v);
+    mesh.conditions.push_back(first_condition_3(condition, slides_in_source(p), start, mesh.target.col(v)));
   }
   if(std::none_of(mesh.sliding_conditions.begin(), mesh.sliding_conditions.end(), does_slide_later))
     mesh.sliding_conditions.clear();
@@ -72,13 +115,30 @@ inline void set_conditions_3(Numbered_body_3& numbered, const Body_3& body, cons
     mesh.conditions.clear();
   if(!mesh.source.allFinite() || !mesh.target.rightCols(mesh.number_of_prescribed_vertices()).allFinite())
     return; // the check of the input names the place
+  bool is_free = false;
   for(const std::array<std::size_t, 3>& facet : body.boundary)
-    if(!std::all_of(facet.begin(), facet.end(), [&](const std::size_t p) { return mesh.is_fixed(numbered.vertices[p]); }))
-    {
-      mesh.alignment = alignment_3(mesh);
-      set_targets(mesh, snapped(mesh, moved(*mesh.alignment, mesh.source)));
-      break;
-    }
+    for(const std::size_t p : facet)
+      if(!mesh.is_fixed(numbered.vertices[p]))
+      {
+        mesh.is_boundary_fixed = false;
+        is_free = is_free || !slides_in_source(p);
+      }
+  if(is_free)
+  {
+    mesh.alignment = alignment_3(mesh);
+    set_targets(mesh, snapped(mesh, moved(*mesh.alignment, mesh.source)));
+  }
+  else if(!mesh.is_boundary_fixed)
+    mesh.initial = mesh.source;
+}
+
+// A body with a free boundary has its own size as reference unless the user asks for another one.
+inline void set_reference_scale_3(Numbered_mesh_3& mesh, const std::optional<double>& wanted)
+{
+  if(wanted && *wanted != found_reference_scale)
+    mesh.reference_scale = wanted;
+  else if(!mesh.is_boundary_fixed)
+    mesh.reference_scale = wanted && mesh.alignment ? mesh.alignment->scale : 1;
 }
 
 // Numbers a body, with all that is prescribed in these numbers.
@@ -88,6 +148,7 @@ inline Numbered_body_3 numbered_body_3(const Body_3& body, const Prescription_3&
                          options.use_volume_weights, options.is_parallel);
   Numbered_mesh_3& mesh = result.mesh;
   set_conditions_3(result, body, prescription);
+  set_reference_scale_3(mesh, options.reference_scale);
   if(options.use_regular_references)
     set_regular_cell(mesh);
   if(!prescription.initial.empty())
@@ -189,7 +250,7 @@ Body_map_3 parameterize_body_3(Body_3 body, const Prescription_3& prescription, 
 {
   if(problem.progress.is_interrupted())
     return interrupted_map(body, problem.progress);
-  const Checked_body_3 checked(body, prescription, problem, problem.progress.budget());
+  const Checked_body_3 checked(body, with_conditions_of_source(body, prescription), problem, problem.progress.budget());
   body.cells = std::vector<std::array<std::size_t, 4> >(); // gives their memory back: only numbered ones are needed now
   Search_start_3 start;
   start.patience = 2; // where nothing can be refined, larger weights get a chance
@@ -223,6 +284,7 @@ Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescript
     return map;
   }
   const Budget& budget = problem.progress.budget();
+  prescription = with_conditions_of_source(body, std::move(prescription));
   Checked_body_3 checked(body, prescription, problem, budget);
   const auto take = [&](const std::vector<Insertion_3>& made)
   {

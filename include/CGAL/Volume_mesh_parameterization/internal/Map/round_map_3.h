@@ -118,12 +118,10 @@ inline void round_map_3(const Numbered_mesh_3& mesh, const Coordinate_type& type
 {
   if(!type.is_narrow() || !found.map.is_valid())
     return;
-  Map_3 map = evaluated_map(mesh, rounded_positions_3(mesh, type, found.map.positions, problem.progress.budget()));
-  if(found.number_of_sliding_vertices > 0 || !mesh.conditions.empty()) // which are near their planes up to rounding
-  {
-    map.meets_boundary = found.map.meets_boundary;
-    map.distance_to_boundary = found.map.distance_to_boundary;
-  }
+  const double rounding = 4 * spacing(type, mesh.target.cwiseAbs().rowwise().maxCoeff()); // of sliding vertices and planes
+  Map_3 map = evaluated_map(mesh, rounded_positions_3(mesh, type, found.map.positions, problem.progress.budget()),
+                            found.conditions.empty() ? mesh.conditions : found.conditions, rounding);
+  map.meets_boundary = map.meets_boundary && found.map.meets_boundary;
   found.map = std::move(map);
   if(!found.map.is_valid())
   {

@@ -101,6 +101,15 @@ Found_map_3 minimize_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_p
   return found;
 }
 
+// Have vertices moved in the tangents of the surfaces on which they slide?
+inline bool have_slid_in_tangents(const Numbered_mesh_3& mesh)
+{
+  for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices() && !mesh.sliding_conditions.empty(); ++v)
+    if(mesh.sliding_conditions[v - mesh.number_of_free_vertices].is_sliding() && !mesh.is_fixed(v))
+      return true;
+  return false;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem, Found_map_3 found)
 {
@@ -114,6 +123,7 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     return found;
   const Sliding_boundary_3 boundary(mesh);
   found.number_of_sliding_vertices = boundary.number_of_sliding_vertices();
+  found.conditions = boundary.conditions();
   found.has_slid_on_surfaces = are_some_on_surfaces(boundary.conditions());
   if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && found.has_slid_on_surfaces)
   { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
@@ -121,6 +131,17 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
     found = minimize_map_3(fixed, problem, std::move(found));
     if(found.status == ERROR_LINEAR_SOLVER_FAILED || !found.map.is_solution() || progress.is_interrupted())
       return found;
+  }
+  if(have_slid_in_tangents(mesh))
+  {
+    found.map = evaluated_map(mesh, boundary, found.map.positions);
+    if(!found.map.is_valid())
+    {
+      found.status = ERROR_NOT_FLIP_FREE;
+      found.reason = "Vertices have slid in the tangent planes of curved walls, and cells are inverted if they are put back. Move "
+                     "the targets in smaller steps, each with the last map as initial map.";
+      return found;
+    }
   }
   Newton_system_3 system(mesh, free_vertices(mesh, boundary.conditions()), problem.solver);
   if(found.has_slid_on_surfaces)

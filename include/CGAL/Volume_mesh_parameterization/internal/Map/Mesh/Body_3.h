@@ -113,6 +113,7 @@ struct Prescription_3
   std::vector<std::array<double, 3> > targets;
   std::vector<Vertex_condition_3> conditions;
   Vertex_condition_3 boundary_condition;       // of points that splits add to the boundary
+  std::vector<bool> slides_in_source;          // has a point the planes, edges and patches of the source? no entries if none has
   std::vector<std::array<double, 3> > initial; // images to start from; none of any point if there are no entries
   std::vector<Linear_constraint_3<std::size_t> > constraints;
 

@@ -47,6 +47,8 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void Prescription_3::extend_to(const st
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   targets.resize(number_of_points, { nan, nan, nan });
   conditions.resize(number_of_points);
+  if(!slides_in_source.empty())
+    slides_in_source.resize(number_of_points, false);
   if(!initial.empty())
     initial.resize(number_of_points, { nan, nan, nan });
 }
@@ -71,7 +73,12 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 std::array<double, 3> completed_target(std::array<double, 3> target, const Vertex_condition_3& condition)
 {
   if(condition.is_sliding())
-    return condition.surface().nearest_point(target).point;
+  {
+    const std::array<double, 3> point = condition.surface().nearest_point(target).point;
+    const auto has_nan = [](const Vector_3& p) { return p.hasNaN(); };
+    constexpr double infinity = std::numeric_limits<double>::infinity(); // the fault of the surface, not a missing target
+    return has_nan(to_vector(point)) && !has_nan(to_vector(target)) ? std::array{ infinity, infinity, infinity } : point;
+  }
   const Matrix_3 P = projector_3(condition);
   for(int i = 0; i < 3; ++i)
     if(std::isnan(target[i]) && P.col(i) == Vector_3::Unit(i))

@@ -20,6 +20,10 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Blames the surface, and not the map.
+constexpr const char* fault_of_surface
+  = "The surface or curve itself puts no point there: Newton's method diverges, or a value or slope is not finite.";
+
 // Completes advice to refine by what compiles: constant complexes and arrays cannot be refined.
 constexpr const char* way_to_refine = "refinement_mode(Refinement_mode::HELPFUL), for a mesh that is not constant";
 

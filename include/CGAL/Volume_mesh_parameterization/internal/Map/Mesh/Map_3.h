@@ -55,7 +55,7 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
   {
     const int v = mesh.number_of_free_vertices + static_cast<int>(i);
     const Vector_3 p = positions.col(v), q = allowed_point_3(conditions[i], p, mesh.target.col(v));
-    if(!conditions[i].is_sliding() || !(length_3(q - p) <= rounding))
+    if(!conditions[i].is_sliding() || length_3(q - p) > rounding) // not if its surface has no point
       positions.col(v) = q;
   }
   return positions;
@@ -64,22 +64,29 @@ inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions, const
 inline Matrix3Xd snapped(const Numbered_mesh_3& mesh, Matrix3Xd positions)
 { return snapped(mesh, std::move(positions), mesh.conditions); }
 
-// Returns the largest distance of a prescribed vertex to its target, plane, line or surface. Errors of rounding count as 0; along
-// the axes, there are none.
-inline double distance_to_targets(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Conditions_3& conditions)
+// A prescribed vertex, and how far it is from where it may be.
+struct Missing_vertex_3
 {
-  const int n = mesh.number_of_prescribed_vertices();
-  if(conditions.empty())
-    return n == 0 ? 0 : (positions - mesh.target).rightCols(n).colwise().norm().maxCoeff();
-  const double rounding = rounding_of_targets(mesh);
-  double result = 0;
-  for(int i = 0; i < n; ++i)
+  int vertex = -1;       // of this process; -1 if none is missing
+  Vector_3 allowed = {}; // the nearest point at which it may be
+  double distance = 0;   // infinite if its surface has no point
+};
+
+// Returns the prescribed vertex that is farthest from its target, plane, line or surface. Errors of rounding count as 0; along
+// the axes, there are none.
+inline Missing_vertex_3 farthest_vertex_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Conditions_3& conditions,
+                                          const double rounding)
+{
+  Missing_vertex_3 result;
+  for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
   {
-    const int v = mesh.number_of_free_vertices + i;
-    const Vector_3 p = positions.col(v);
-    const double distance = length_3(allowed_point_3(conditions[i], p, mesh.target.col(v)) - p);
-    if(distance > (projector_3(conditions[i]).is_diagonal() && !conditions[i].is_sliding() ? 0 : rounding))
-      result = (std::max)(result, distance);
+    const Vertex_condition_3 condition
+      = conditions.empty() ? Vertex_condition_3::at_target() : conditions[v - mesh.number_of_free_vertices];
+    const Vector_3 p = positions.col(v), q = allowed_point_3(condition, p, mesh.target.col(v));
+    const double length = length_3(q - p), distance = std::isnan(length) ? std::numeric_limits<double>::infinity() : length;
+    const bool is_exact = !condition.is_sliding() && projector_3(condition).is_diagonal();
+    if(distance > result.distance && distance > (is_exact ? 0 : rounding))
+      result = { v, q, distance };
   }
   return result;
 }
@@ -97,24 +104,33 @@ struct Map_3
   std::vector<std::size_t> inverted_cells; // those of this process
   bool meets_boundary = false;
   double distance_to_boundary = 0; // the largest one of a prescribed vertex; may be zero by underflow
+  Missing_vertex_3 farthest_vertex;
 
   bool is_valid() const { return number_of_inverted_cells == 0; }
   bool is_solution() const { return is_valid() && meets_boundary; }
 };
 
-// Evaluates positions that are to have the prescribed vertices where they may be.
-inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
+// Evaluates positions that are to have the prescribed vertices where they may be, within rounding.
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions,
+                           const double rounding)
 {
   const int n = mesh.number_of_prescribed_vertices();
   Found_cells inverted = inverted_cells(mesh, positions);
   Map_3 map;
   map.number_of_inverted_cells = inverted.number;
   map.inverted_cells = std::move(inverted.cells);
-  map.distance_to_boundary = mesh.communicator->maximum(distance_to_targets(mesh, positions, conditions));
+  map.farthest_vertex = farthest_vertex_3(mesh, positions, conditions, rounding);
+  map.distance_to_boundary = mesh.communicator->maximum(map.farthest_vertex.distance);
   map.meets_boundary = mesh.communicator->all(conditions.empty() ? positions.rightCols(n) == mesh.target.rightCols(n)
                                                                  : map.distance_to_boundary == 0);
   map.positions = std::move(positions);
   return map;
+}
+
+inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
+{
+  const double rounding = rounding_of_targets(mesh);
+  return evaluated_map(mesh, std::move(positions), conditions, rounding);
 }
 
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions)

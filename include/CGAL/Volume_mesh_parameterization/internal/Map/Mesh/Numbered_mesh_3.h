@@ -55,6 +55,8 @@ struct Numbered_mesh_3
   Conditions_3 conditions;        // of prescribed vertices, until some slide; none if all are at their targets
   Conditions_3 sliding_conditions; // of prescribed vertices from then on; none if none slides
   std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
+  bool is_boundary_fixed = true;           // are all vertices of the boundary at their targets until some slide?
+  std::optional<double> reference_scale;   // of the source, with the least energy of its cells; none gives it the target's volume
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
   std::vector<Linear_constraint_3<int> > constraints; // of the images, besides the targets
   std::vector<std::array<int, 4> > cells; // positively oriented in the source
@@ -189,10 +191,11 @@ double volume(const Numbered_mesh_3& mesh, const Positions& positions)
   return mesh.communicator->sum(std::accumulate(volumes.begin(), volumes.end(), 0.));
 }
 
-// The volume of the target depends on its boundary only. Where a part of that is free, it is the volume of the source by the
-// scale that is prescribed.
-inline double target_volume(const Numbered_mesh_3& mesh)
-{ return mesh.alignment ? std::pow(mesh.alignment->scale, 3) * volume(mesh, mesh.source) : volume(mesh, mesh.target); }
+// The volume of the source at the scale of reference, or else that of the target, which depends on its boundary only.
+inline double reference_volume(const Numbered_mesh_3& mesh)
+{
+  return mesh.reference_scale ? std::pow(*mesh.reference_scale, 3) * volume(mesh, mesh.source) : volume(mesh, mesh.target);
+}
 
 // Edges of a regular cell with the volume 1/3.
 inline Matrix_3 regular_edges()
@@ -202,7 +205,7 @@ inline Matrix_3 regular_edges()
 
 // Lets regular cells of the mean volume in the target stand for those of the source.
 inline void set_regular_cell(Numbered_mesh_3& mesh)
-{ mesh.regular_cell = regular_edges() * std::cbrt(3 * target_volume(mesh) / mesh.global_number_of_cells()); }
+{ mesh.regular_cell = regular_edges() * std::cbrt(3 * reference_volume(mesh) / mesh.global_number_of_cells()); }
 
 // Edges of a cell that its image is compared with, and the volume of all these cells.
 inline Matrix_3 source_edges(const Numbered_mesh_3& mesh, const std::array<int, 4>& cell)

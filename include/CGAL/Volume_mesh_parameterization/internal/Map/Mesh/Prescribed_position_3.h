@@ -59,11 +59,15 @@ public:
     m_planes.push_back({ normal, offset ? Exact_rational(*offset) : exact(normal) * exact(m_start), source });
   }
 
-  void add_start(const std::size_t source)
+  const Point& start() const { return m_start; }
+
+  void add_target(const Point& target, const std::size_t source)
   {
     for(int axis = 0; axis < 3; ++axis)
-      add_plane(unit(axis), {}, source);
+      add_plane(unit(axis), target[axis], source);
   }
+
+  void add_start(const std::size_t source) { add_target(m_start, source); }
 
   // Adds a surface or curve on which the vertex slides, unless it is there.
   void add_surface(const Vertex_condition_3& condition, const std::size_t source)

@@ -41,7 +41,7 @@ inline double scale_of_cells(const double mean_volume) { return std::exp2(-std::
 // The scale gives the cells of the target a volume near 1.
 inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
-  const double volume = target_volume(mesh);
+  const double volume = reference_volume(mesh);
   const double scale = scale_of_cells(volume / mesh.global_number_of_cells());
   const double factor = std::cbrt(source_volume(mesh) / volume) / scale;
   return { scale, scaled_inverse_sources(mesh, factor), cell_weights(mesh) };
@@ -51,7 +51,7 @@ inline Scaled_cells_3 cells_scaled_to_target(const Numbered_mesh_3& mesh)
 // for, slivers of the source must not stiffen it.
 inline Scaled_cells_3 regular_cells_scaled_to_target(const Numbered_mesh_3& mesh)
 {
-  const double mean_volume = target_volume(mesh) / mesh.global_number_of_cells();
+  const double mean_volume = reference_volume(mesh) / mesh.global_number_of_cells();
   const double scale = scale_of_cells(mean_volume);
   const Matrix_3 inverse = regular_edges().inverse() / (std::cbrt(3 * mean_volume) * scale);
   return { scale, std::vector<Matrix_3>(mesh.cells.size(), inverse), cell_weights(mesh) };

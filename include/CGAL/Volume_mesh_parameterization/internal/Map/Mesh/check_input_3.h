@@ -41,6 +41,24 @@ inline Input_check_3 check_coordinates(const Numbered_mesh_3& mesh)
   return {};
 }
 
+// Refuses surfaces that cannot take their vertices at the start.
+inline Input_check_3 check_surfaces(const Numbered_mesh_3& mesh)
+{
+  constexpr double rounding = 1e-9; // a guess; relative to the coordinates. The end is checked more strictly
+  for(std::size_t i = 0; i < mesh.sliding_conditions.size(); ++i)
+  {
+    const int v = mesh.number_of_free_vertices + static_cast<int>(i);
+    if(!mesh.sliding_conditions[i].is_sliding() || mesh.target.col(v).hasNaN())
+      continue;
+    const Vector_3 p = mesh.target.col(v), q = put_on_surface_3(mesh.sliding_conditions[i], p).first;
+    if(!(length_3(q - p) <= rounding * mesh.target.cwiseAbs().maxCoeff()))
+      return failed_check(ERROR_MISSING_BOUNDARY_TARGET, "The vertex of the source at ", describe(mesh.source.col(v)),
+                          " cannot be put on its surface or curve. It comes to ", describe(p), " first, and to ", describe(q),
+                          " from there. ", fault_of_surface);
+  }
+  return {};
+}
+
 // Refuses prescribed points so far from the origin that rounding makes all cells flat, where a part of the boundary is free.
 inline Input_check_3 check_distance_from_origin(const Numbered_mesh_3& mesh)
 {
@@ -99,9 +117,9 @@ inline Input_check_3 check_source_determinants(const Numbered_mesh_3& mesh)
 // share the mesh, none knows the components, and they count as one.
 inline Input_check_3 check_target_volume(const Numbered_mesh_3& mesh)
 {
-  if(mesh.alignment) // the volume is not prescribed, and follows from that of the source
-    return target_volume(mesh) > 0 ? Input_check_3()
-      : failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "A part of the boundary is free, and the source has no positive volume.");
+  if(!mesh.is_boundary_fixed) // the volume is not prescribed, and follows from that of the source
+    return reference_volume(mesh) > 0 ? Input_check_3()
+      : failed_check(ERROR_INVERTED_TARGET_BOUNDARY, "A part of the boundary may move, and the source has no positive volume.");
   Disjoint_sets components(mesh.number_of_vertices());
   std::vector<double> volumes(mesh.number_of_vertices(), volume(mesh, mesh.target));
   if(mesh.is_whole())
@@ -197,7 +215,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Input_check_3 check_input_3(const Numbe
   require_operations_as_written();
   if(mesh.global_number_of_cells() == 0)
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
-  for(const auto check : { check_coordinates, check_distance_from_origin, check_sizes, check_source_cells,
+  for(const auto check : { check_surfaces, check_coordinates, check_distance_from_origin, check_sizes, check_source_cells,
                            check_source_determinants, check_target_volume, check_prescribed_facets, check_prescribed_cells,
                            check_planes })
   {

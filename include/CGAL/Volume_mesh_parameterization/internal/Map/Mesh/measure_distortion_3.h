@@ -51,10 +51,10 @@ inline std::vector<Vector_3> singular_values_of_cells_3(const Numbered_mesh_3& m
   { return signed_singular_values_3(edge_matrix(image, cell) * source_edges(mesh, cell).inverse()); });
 }
 
-// Returns the factor of the singular values if the image is scaled to the volume of the source. If a part of the boundary is free,
-// the prescribed scale takes the place of the volume, as in the energy.
+// Returns the factor of the singular values if the image is scaled as for the energy: back from the scale of reference, or to the
+// volume of the source.
 inline double factor_to_source_volume(const Numbered_mesh_3& mesh, const Matrix3Xd& image)
-{ return std::cbrt(source_volume(mesh) / (mesh.alignment ? target_volume(mesh) : volume(mesh, image))); }
+{ return std::cbrt(source_volume(mesh) / (mesh.reference_scale ? reference_volume(mesh) : volume(mesh, image))); }
 
 // Returns the distortions of a map by its singular values in each cell, times a factor.
 inline Distortion_3 measure_distortion_3(const Numbered_mesh_3& mesh, const std::vector<Vector_3>& s,

@@ -132,6 +132,7 @@ struct Patch_mesh_3
     mesh.set_targets(positions, whole.base_point);
     mesh.regular_cell = whole.regular_cell;
     mesh.alignment = whole.alignment;
+    mesh.reference_scale = whole.reference_scale;
     if(number_of_free_vertices < number_of_moving_vertices)
       for(int i = number_of_free_vertices; i < mesh.number_of_vertices(); ++i)
         mesh.conditions.push_back(i < number_of_moving_vertices ? whole.condition(vertices[i])

@@ -130,7 +130,7 @@ inline Newton_result_3 untangle_patches_3(const Numbered_mesh_3& mesh, Linear_so
   const auto untangle = [&](const Patch_3& patch)
   {
     Patch_mesh_3 p(neighborhood.mesh(), positions, patch);
-    if(!(target_volume(p.mesh) > 0)) // which does not depend on the vertices that move
+    if(!(reference_volume(p.mesh) > 0)) // which does not depend on the vertices that move
       return;
     const std::size_t before = inverted_cells(p.mesh, p.positions).number;
     p.positions = neighborhood.agreed_positions([&]
