@@ -1,0 +1,193 @@
+#!/usr/bin/env python3
+"""Tells which strategies of polycubes and hexahedra decide results, by switching them off one after the other.
+
+compare_strategies.py FOLDER BODY.mesh ... [--number NUMBER] [--output PREFIX]
+
+A copy of the project in FOLDER gets a switch at each strategy in the list below, and its driver is built. The project itself has
+no switches. The driver maps each body to a polycube, and makes hexahedra. Then each strategy that it came across is switched off,
+and the polycube is found again. If the images of the boundary differ, or if the strategy is one of hexahedra, these are made
+again. A line is printed for each strategy: the numbers of bodies that came across it, whose results differ without it, that are
+lost without it, and that are worse and better without it, with their names. A body is worse if its minimal scaled Jacobian is
+lower by 0.01 at least; if that is equal, the larger distance from the boundary decides. A strategy without which no body is lost
+or worse has no reason to stay.
+"""
+import argparse
+import json
+import os
+import resource
+import shutil
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "Volume_mesh_parameterization"))
+from check_hexahedra import read_points, sections
+from run_cad_models import diagonal_of
+from tables import write_csv, write_json
+
+ROOT = Path(__file__).resolve().parents[2]
+INTERNAL = Path("include/CGAL/Polycube_meshing_3/internal")
+POLYCUBE = "Polycube"
+HEXAHEDRA = "Hexahedra"
+TOLERANCE = 0.01  # of scaled Jacobians, and of distances from the boundary in spacings
+
+# Strategies, the file each one is in, a text that is there once, and the text with the switch.
+STRATEGIES = {
+    "box with a hole": (POLYCUBE, "map_to_polycube_3_impl.h", "if(number_of_handles(turned.mesh) == 1)",
+                        "if(number_of_handles(turned.mesh) == 1 && is_on())"),
+    "voxels": (POLYCUBE, "map_to_polycube_3_impl.h", "if(may_split && enough * map.distortion >= usual)",
+               "if(may_split && enough * map.distortion >= usual && is_on())"),
+    "ties": (POLYCUBE, "Search_for_polycube_3.h", "if(best.map.status == OK && costs.decide_ties(best.labels))",
+             "if(best.map.status == OK && is_on() && costs.decide_ties(best.labels))"),
+    "slopes": (POLYCUBE, "Search_for_polycube_3.h", "    int in_vain = 0;\n", "    int in_vain = is_on() ? 0 : patience;\n"),
+    "narrow charts": (POLYCUBE, "repair_labels_3.h", "if(width == 0)", "if(width == 0 || !is_on())"),
+    "giving faces away": (POLYCUBE, "Search_for_polycube_3.h", "= give_away_faces(m_mesh, map.flipped_faces(), costs, labels)",
+                          "= (!map.flipped_faces().empty() && is_on() && give_away_faces(m_mesh, map.flipped_faces(), costs, "
+                          "labels))"),
+    "unfolding": (POLYCUBE, "repair_labels_3.h", "  if(fold.line.empty())", "  if(fold.line.empty() || !is_on())"),
+    "further frames": (POLYCUBE, "frames_of_normals_3.h", "if(std::all_of(result.begin(), result.end(), is_other))",
+                       "if(std::all_of(result.begin(), result.end(), is_other) && (result.empty() || is_on()))"),
+    "lengths": (POLYCUBE, "Polycube_map_3.h", "with_lengths_of_surface(const Budget& budget) const\n  {",
+                "with_lengths_of_surface(const Budget& budget) const\n  {\n    if(!is_on())\n      return std::nullopt;"),
+    "lines": (POLYCUBE, "Polycube_map_3.h", "!lines.are_empty(); )", "!lines.are_empty() && is_on(); )"),
+    "other layers": (HEXAHEDRA, "find_hexahedra_3_impl.h", "is_at_least(best.result, poor_scaled_jacobian))",
+                     "is_at_least(best.result, poor_scaled_jacobian) || (!best.mesh.cells.empty() && !is_on()))"),
+    "leaving the surface": (HEXAHEDRA, "find_hexahedra_3_impl.h", "is_at_least(best.result, bad_scaled_jacobian)))",
+                            "(is_at_least(best.result, bad_scaled_jacobian) || !is_on())))"),
+    "leaving lines": (HEXAHEDRA, "Hexahedra_improvement_3.h", "m_hexahedra.leave_lines(0)", "is_on() && m_hexahedra.leave_lines(0)"),
+    "far points": (HEXAHEDRA, "Hexahedra_improvement_3.h", "double weight = 1;\n",
+                   "double weight = m_best.result.boundary_distance > sufficient_distance * m_best.edge && !is_on() ? 0 : 1;\n"
+                   "    if(weight == 0)\n      return;\n"),
+}
+SWITCH = """
+#include <cstdlib>
+#include <fstream>
+#include <string>
+namespace CGAL::Polycube_meshing_3::internal {
+inline bool is_on(const std::string& strategy)
+{
+  std::ofstream(std::getenv("STRATEGY_LOG"), std::ios::app) << "strategy " << strategy << std::endl;
+  return strategy != std::getenv("STRATEGY_OFF");
+}
+}
+"""
+END_OF_POLYCUBE = "    for(internal::Mapped_boundary_3& boundary : boundaries)\n      for(int i = 0; i < 3; ++i)"
+IMAGES = """    {
+      std::ofstream log(std::getenv("STRATEGY_LOG"), std::ios::app);
+      for(const internal::Mapped_boundary_3& boundary : boundaries)
+      {
+        log << "images " << boundary.splits.size() << ' ' << std::hexfloat;
+        for(const auto& [x, y, z] : boundary.targets)
+          log << x << ' ' << y << ' ' << z << ' ';
+        log << std::endl;
+      }
+      if(std::getenv("STRATEGY_POLYCUBE"))
+        std::exit(0);
+    }
+"""
+
+
+def replace_once(file, text, replacement):
+    content = file.read_text()
+    if content.count(text) != 1:
+        sys.exit(f"{file}: {content.count(text)} times instead of once: {text}")
+    file.write_text(content.replace(text, replacement))
+
+
+def build(folder):
+    """Copies the project, adds the switches, and builds the driver."""
+    tracked = subprocess.run(["git", "ls-files"], cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout.split("\n")
+    for name in filter(None, tracked):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(ROOT / name, folder / name)
+    replace_once(folder / INTERNAL / "basic.h", "\n#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_BASIC_H",
+                 SWITCH + "\n#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_BASIC_H")
+    for strategy, (part, name, text, replacement) in STRATEGIES.items():
+        file, = (folder / INTERNAL / part).rglob(name)
+        replace_once(file, text, replacement.replace("is_on()", f'is_on("{strategy}")'))
+    replace_once(folder / INTERNAL.parent / "Polycube_boundary_parameterizer_3.h", END_OF_POLYCUBE, IMAGES + END_OF_POLYCUBE)
+    build_folder = folder / "build"
+    subprocess.run(["cmake", "-S", folder, "-B", build_folder, "-DCGAL_Volume_mesh_parameterization_TESTS=OFF"], check=True)
+    subprocess.run(["cmake", "--build", build_folder, "--target", "parameterize_mesh_file"], check=True)
+    return build_folder / "examples/Volume_mesh_parameterization/parameterize_mesh_file"
+
+
+def run(arguments, driver, mesh, spacing, off="", only_polycube=False):
+    """The strategies that the driver comes across, the images of the boundary, and the result."""
+    log, report, output = (arguments.folder / name for name in ("strategies.log", "report.json", "hexahedra.mesh"))
+    for file in (log, report, output):
+        file.unlink(missing_ok=True)
+    environment = {**os.environ, "STRATEGY_LOG": str(log), "STRATEGY_OFF": off}
+    if only_polycube:
+        environment["STRATEGY_POLYCUBE"] = "1"
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    subprocess.run([driver, mesh, "--to", "polycube", "--refine", "--threads", "1", "--quiet", "--time-limit",
+                    str(arguments.time_limit), "--hexahedra", str(spacing), output, "--report", report],
+                   env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    lines = log.read_text().splitlines() if log.exists() else []
+    said = json.loads(report.read_text()) if report.exists() else {}
+    result = {"seconds": resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before}
+    if output.exists():
+        result.update((key, said["hexahedra"][key]) for key in ("cells", "minimum_scaled_jacobian", "mean_scaled_jacobian"))
+        result["boundary_distance"] = said["hexahedra"]["boundary_distance"] / spacing
+    return ({text[9:] for text in lines if text.startswith("strategy ")},
+            [text for text in lines if text.startswith("images ")], result)
+
+
+def compared(before, after):
+    """What the second result is: lost, worse, better, the same, or about as good."""
+    keys = ("cells", "minimum_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance")
+    if [before.get(key) for key in keys] == [after.get(key) for key in keys]:
+        return "same"
+    if "cells" not in after:
+        return "lost"
+    if "cells" not in before:
+        return "better"
+    for key, sign in (("minimum_scaled_jacobian", 1), ("boundary_distance", -1)):
+        difference = sign * (after[key] - before[key])
+        if abs(difference) >= TOLERANCE:
+            return "better" if difference > 0 else "worse"
+    return "as good"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", type=Path, help="for the copy of the project")
+    parser.add_argument("bodies", type=Path, nargs="+", metavar="BODY", help="a tetrahedral mesh")
+    parser.add_argument("--number", type=float, default=40, help="of hexahedra along the diagonal of the bounding box")
+    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    parser.add_argument("--time-limit", type=float, default=600, metavar="SECONDS",
+                        help="of each run; if it ends one, the result depends on the machine")
+    parser.add_argument("--driver", type=Path, help="the driver with switches, if it has been built before")
+    arguments = parser.parse_args()
+
+    arguments.folder.mkdir(parents=True, exist_ok=True)
+    driver = arguments.driver or build(arguments.folder)
+    rows, ends = [], defaultdict(lambda: defaultdict(list))
+    for body in arguments.bodies:
+        spacing = diagonal_of([[float(x) for x in p] for p in read_points(sections(body)["Vertices"])]) / arguments.number
+        strategies, images, result = run(arguments, driver, body, spacing)
+        rows.append({"body": body.stem, "off": "", **result})
+        print(rows[-1], flush=True)
+        for strategy in sorted(strategies):
+            is_of_polycube = STRATEGIES[strategy][0] == POLYCUBE
+            _, other_images, other = run(arguments, driver, body, spacing, strategy, is_of_polycube)
+            if is_of_polycube and other_images != images:
+                other = run(arguments, driver, body, spacing, strategy)[2]
+            end = compared(result, other) if not is_of_polycube or other_images != images else "same"
+            ends[strategy][end].append(body.stem)
+            rows.append({"body": body.stem, "off": strategy, "end": end, **other})
+            print(rows[-1], flush=True)
+    print("strategy, bodies that came across it, lost, worse, as good, better without it")
+    for strategy in STRATEGIES:
+        number = sum(map(len, ends[strategy].values()))
+        print(f"{strategy}: {number};", "; ".join(f"{end} {len(ends[strategy][end])} {' '.join(ends[strategy][end])}".strip()
+                                                  for end in ("lost", "worse", "as good", "better")))
+    if arguments.output:
+        write_csv(arguments.output + ".csv", rows)
+        write_json(arguments.output + ".json", rows)
+
+
+if __name__ == "__main__":
+    main()
