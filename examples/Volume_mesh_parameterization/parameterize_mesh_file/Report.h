@@ -46,6 +46,7 @@ struct Outcome
 inline std::string with_names_of_options(std::string message)
 {
   boost::replace_all(message, "refinement_mode(Refinement_mode::HELPFUL), for a mesh that is not constant", "--refine");
+  boost::replace_all(message, "refinement_mode(Refinement_mode::BOUNDARY)", "--refine");
   boost::replace_all(message, "Conjugate_gradient_solver_traits_3", "--solver cg");
   boost::replace_all(message, "CHOLMOD_solver_traits_3", "--solver cholmod");
   boost::replace_all(message, "Symmetric_Dirichlet_energy_3", "--energy symmetric_dirichlet");

@@ -56,8 +56,7 @@ struct Polycube_result
   /// label of the facet opposite to each vertex of each cell, in the axes of the polycube. The labels are 0 for +x, 1 for -x, 2
   /// for +y, 3 for -y, 4 for +z, 5 for -z. Facets inside have `no_label`. `Polycube_boundary_parameterizer_3::parameterize()`
   /// takes these labels. Cells are in the order of the arrays, or of the cells in the complex, after refinement. If the body has
-  /// been turned, rotate it before these labels are passed on. Labels of a box with a hole are not close to the normals, and may
-  /// have no polycube.
+  /// been turned, rotate it before these labels are passed on.
   std::vector<std::array<std::size_t, 4> > labels = {};
 
   static constexpr std::size_t no_label = 6; ///< label of a facet that is not on the boundary
@@ -116,18 +115,17 @@ charts at their borders. This applies to steps and grooves, for which hexahedra 
 neighbors have no valid polycube then. `Polycube_result::features_given_up` lists the sharp edges of flattened charts. With given
 labels, no chart is flattened.
 
-<b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. A body with one handle is mapped
-to a box with a hole. At least four edges of the mesh must lead around the handle. With `Refinement_mode::BOUNDARY`,
-`CGAL::stretch_minimizing_volume_parameterization()` does not need this number of edges. It also tries polycubes of voxels,
-also for bodies with several handles, and splits edges of the boundary near edges of the polycube. A polycube of voxels also
-replaces one that is far more distorted. Handles finer than a voxel are not found.
+<b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. With
+`Refinement_mode::BOUNDARY`, `CGAL::stretch_minimizing_volume_parameterization()` also tries polycubes of voxels for bodies with
+handles, and splits edges of the boundary near edges of the polycube. A polycube of voxels also replaces one that is far more
+distorted. Handles finer than a voxel are not found.
 
 The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
 
 - `ERROR_EMPTY_COMPLEX`, `ERROR_NON_FINITE_COORDINATE`, `ERROR_NON_MANIFOLD_BOUNDARY`, `ERROR_INTERRUPTED`.
-- `ERROR_NO_POLYCUBE`: no polycube has the given labels, or none was found.
+- `ERROR_NO_POLYCUBE`: no polycube has the given labels, or none was found. Bodies with handles may have one if edges are split.
 - `ERROR_SEVERAL_BOUNDARY_COMPONENTS`: none was found, and the body has cavities.
-- `ERROR_BOUNDARY_TOO_COARSE`: facets between edges of the polycube would be flipped or flat, or there are several handles.
+- `ERROR_BOUNDARY_TOO_COARSE`: facets between edges of the polycube would be flipped or flat.
   `Refinement_mode::BOUNDARY` may help.
 - `ERROR_BOUNDARY_MAP_NOT_BIJECTIVE`: rounding makes the map invalid.
 - `ERROR_SPACING_TOO_COARSE`: there is a polycube, but not with multiples of the spacing, or the spacing is above 1e60.

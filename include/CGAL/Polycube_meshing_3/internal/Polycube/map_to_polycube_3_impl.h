@@ -12,7 +12,6 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Handles/map_to_box_with_hole_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Order_of_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
@@ -128,16 +127,6 @@ inline Found_polycube_3 with_voxels_3(const Turned_surface_3& turned, Surface_ma
   return { OK, turned.rotation, std::move(map.images), std::move(of_voxels.splits), std::move(of_voxels.images) };
 }
 
-// Maps a surface with handles for which no labels of a polycube are found. Several handles need voxels, and splits: boxes with
-// several holes met the boundary of no body.
-inline Found_polycube_3 map_to_box_or_voxels_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
-{
-  Surface_map_3 box = { ERROR_BOUNDARY_TOO_COARSE };
-  if(number_of_handles(turned.mesh) == 1)
-    box = map_to_box_with_hole_3(turned, *turned.surface.cells, turned.surface.vertices, budget);
-  return with_voxels_3(turned, std::move(box), may_split, budget);
-}
-
 // Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
 inline Surface_map_3 map_to_bounding_box(const Turned_surface_3& turned, const Budget& budget)
 {
@@ -176,7 +165,7 @@ inline Found_polycube_3 map_to_any_box_3(Turned_surface_3 turned, const bool may
   turned.may_move = false;
   const Error_code kind = check_sphere(turned.mesh);
   if(kind != OK && kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS)
-    return map_to_box_or_voxels_3(turned, may_split, budget);
+    return with_voxels_3(turned, {}, may_split, budget);
   Surface_map_3 map = kind == OK ? map_to_bounding_box(turned, budget)
                                  : map_bodies_apart_3(turned.surface, turned.spacing, budget);
   return { map.status, turned.rotation, std::move(map.images) };

@@ -28,10 +28,9 @@ struct Boundary_attempt_3
   double part_of_time;  // of the time that is left, unless it is the last attempt
 };
 
-// Boundary attempts in their order; the first one whose map meets the boundary ends them. If labels lead to a polycube, or no
-// boundary is refined, only the last attempt is made. Otherwise, this is a polycube of voxels, and the boundary that was given
-// has a box with a hole, or nothing. A refined boundary has far more vertices than there are inside, and each of these may be
-// joined to too many. The parts of time are guesses.
+// Boundary attempts in their order; the first one whose map meets the boundary ends them. If no boundary is refined, only the
+// last attempt is made. A refined boundary has far more vertices than there are inside, and each of these may be joined to too
+// many. The parts of time are guesses.
 constexpr std::array<Boundary_attempt_3, 3> boundary_attempts = {{
   { true, true, false, 1. / 3 },
   { true, false, true, 0.75 },
