@@ -20,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -188,7 +189,8 @@ inline void print_end(const Options& options, const Outcome& outcome)
     std::cout << "Success\n";
 }
 
-// Adds the rotation of the source into the axes of a polycube, by rows, and which sharp edges it gives up.
+// Adds the strategy that found a polycube, the costs of those of all strategies, the rotation of the source into its axes, by rows,
+// and which sharp edges it gives up.
 inline void add(JSON_object& report, const PM::Polycube_result& polycube)
 {
   std::vector<double> rotation, points;
@@ -196,7 +198,15 @@ inline void add(JSON_object& report, const PM::Polycube_result& polycube)
     rotation.insert(rotation.end(), row.begin(), row.end());
   for(const auto& feature : polycube.features_given_up)
     points.insert(points.end(), feature[feature.size() / 2].begin(), feature[feature.size() / 2].end());
-  report.add("polycube_rotation", rotation)
+  std::map<std::string, double> least_costs;
+  for(const auto& [strategy, cost] : polycube.candidates)
+    least_costs.emplace(strategy, cost);
+  JSON_object costs;
+  for(const auto& [strategy, cost] : least_costs)
+    costs.add(strategy.c_str(), cost);
+  report.add("polycube_strategy", polycube.strategy)
+        .add("polycube_costs", costs)
+        .add("polycube_rotation", rotation)
         .add("sharp_edges", polycube.number_of_sharp_edges)
         .add("sharp_edges_given_up", polycube.number_of_edges_given_up())
         .add("features_given_up", points);

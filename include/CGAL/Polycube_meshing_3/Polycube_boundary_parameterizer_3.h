@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3 {
@@ -58,6 +59,18 @@ struct Polycube_result
   /// takes these labels. Cells are in the order of the arrays, or of the cells in the complex, after refinement. If the body has
   /// been turned, rotate it before these labels are passed on.
   std::vector<std::array<std::size_t, 4> > labels = {};
+
+  /// a polycube that was found
+  struct Candidate
+  {
+    std::string strategy; ///< that found it: `labels`, `bounding box`, `bodies side by side`, `voxels` or `given labels`
+    double cost;          ///< its distortion, times a price of the vertices that it adds to the boundary
+  };
+
+  /// the polycubes that were found, the cheapest one first
+  std::vector<Candidate> candidates = {};
+  /// the strategy of the polycube that the body is mapped to: that of the first candidate, unless no map to that was found
+  std::string strategy = {};
 
   static constexpr std::size_t no_label = 6; ///< label of a facet that is not on the boundary
 
@@ -115,10 +128,12 @@ charts at their borders. This applies to steps and grooves, for which hexahedra 
 neighbors have no valid polycube then. `Polycube_result::features_given_up` lists the sharp edges of flattened charts. With given
 labels, no chart is flattened.
 
-<b>Fallback</b>. If no polycube is found, a topological sphere is mapped to its bounding box. With
-`Refinement_mode::BOUNDARY`, `CGAL::stretch_minimizing_volume_parameterization()` also tries polycubes of voxels for bodies with
-handles, and splits edges of the boundary near edges of the polycube. A polycube of voxels also replaces one that is far more
-distorted. Handles finer than a voxel are not found.
+<b>Choice</b>. If the polycube of the labels costs much, or none is found, a topological sphere is also mapped to its bounding box.
+With `Refinement_mode::BOUNDARY`, `CGAL::stretch_minimizing_volume_parameterization()` also tries polycubes of voxels then. It splits
+edges of the boundary near edges of such a polycube. The cost is the distortion of the boundary, times a price of added vertices.
+The call maps the body to the cheapest polycube. If that fails, it takes the next ones, up to the first one without splits.
+`Polycube_result::candidates` lists all of them. A body with handles for which no labels are found needs voxels, and handles finer
+than a voxel are not found.
 
 The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
 
@@ -214,7 +229,10 @@ public:
     std::vector<internal::Vector_3> images;
     for(const std::size_t v : surface.vertices)
       images.push_back(internal::to_vector(boundary.targets[v]));
-    *m_result = { boundary.rotation, surface.sharp_edges.size() };
+    m_result->rotation = boundary.rotation;
+    m_result->strategy = boundary.strategy;
+    m_result->number_of_sharp_edges = surface.sharp_edges.size();
+    m_result->features_given_up.clear();
     for(const std::vector<internal::Vector_3>& feature : internal::features_given_up_3(surface, images))
       m_result->features_given_up.push_back(internal::arrays_of(feature));
     constexpr std::size_t none = Polycube_result::no_label;
@@ -244,20 +262,26 @@ private:
     for(const std::size_t label : label_of_facet)
       internal::require(label < 6, "labels of facets of the boundary must be 0 to 5.");
     const internal::Numbered_surface_3 surface = internal::surface_of(body);
-    const internal::Found_polycube_3 found
+    const internal::Found_polycubes_3 found
       = internal::map_to_polycube_3({ surface, label_of_facet, m_spacing, m_axes == Polycube_axes::FOUND, may_refine }, budget);
     if(budget.is_exhausted()) // then the status does not matter
       return ERROR_INTERRUPTED;
-    if(found.status != OK)
-      return found.status;
-    if(!found.images_with_splits.empty())
-      boundaries.push_back(this->mapped_boundary(body, surface, found.splits, found.images_with_splits));
-    if(!found.images.empty())
-      boundaries.push_back(this->mapped_boundary(body, surface, {}, found.images));
-    for(internal::Mapped_boundary_3& boundary : boundaries)
+    if(m_result != nullptr)
+    {
+      m_result->candidates.clear();
+      for(const internal::Polycube_candidate_3& candidate : found.candidates)
+        m_result->candidates.push_back({ candidate.strategy, candidate.cost });
+    }
+    for(const internal::Polycube_candidate_3& candidate : found.candidates)
+    {
+      boundaries.push_back(this->mapped_boundary(body, surface, candidate.map.splits, candidate.map.images));
+      boundaries.back().strategy = candidate.strategy;
       for(int i = 0; i < 3; ++i)
-        boundary.rotation[i] = internal::coordinates(found.rotation.row(i));
-    return OK;
+        boundaries.back().rotation[i] = internal::coordinates(candidate.rotation.row(i));
+      if(candidate.map.splits.empty())
+        break; // the body may be refined for it, and dearer ones are not better
+    }
+    return found.status;
   }
 
   // Returns the direction of the normal of a facet's image on a polycube.

@@ -81,8 +81,6 @@ private:
           break;
         Polycube_map_3 map(m_surface, labels);
         const Error_code status = map.start_close_to_surface(m_budget);
-        if(result.map.status == ERROR_NO_POLYCUBE)
-          result.map.status = status;
         const bool has_changed = give_away_faces(m_mesh, map.flipped_faces(), costs, labels)
           || unfold_chain(m_mesh, map.charts(), costs, labels);
         if(status == OK)
@@ -93,9 +91,10 @@ private:
     }
     for(auto& [distortion, map] : maps)
     {
-      result.map = finished_map_3(map, m_budget);
-      if(result.map.status != OK)
+      Surface_map_3 finished = finished_map_3(map, m_budget);
+      if(finished.status != OK)
         continue;
+      result.map = std::move(finished);
       for(const std::size_t chart : map.charts().chart_of_face())
         result.labels.push_back(map.charts().labels()[chart]);
       break;

@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/basic.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
@@ -91,16 +91,6 @@ inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Vector
   const double mean = (sum_of_squares - sum * sum / (2 * area)) / area;
   return std::isfinite(mean) ? std::sqrt((std::max)(0., mean)) : (std::numeric_limits<double>::infinity)();
 }
-
-// Map of a surface: if the status is OK, the images of its vertices, their distortion, if others are compared with it, and the
-// edges that were split for the map one after the other, each at its midpoint.
-struct Surface_map_3
-{
-  Error_code status = ERROR_NO_POLYCUBE;
-  std::vector<Vector_3> images = {};
-  double distortion = (std::numeric_limits<double>::infinity)();
-  std::vector<std::array<std::size_t, 2> > splits = {};
-};
 
 } // namespace CGAL::Polycube_meshing_3::internal
 

@@ -24,6 +24,9 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
@@ -72,21 +75,35 @@ struct Polycube_problem_3
   bool may_split = false;    // may edges of the surface be split for a better map?
 };
 
-// Map of a surface to a polycube, and perhaps a better one of the surface with split edges; then there may be no other. The
-// surface is turned about the center of its bounding box. Edges are split one after the other: each gets a new point at its
-// midpoint, which comes behind all others.
-struct Found_polycube_3
+// Map of a surface: if the status is OK, the images of its vertices, their distortion, if others are compared with it, and the
+// edges that were split for the map one after the other, each at its midpoint. Each gets a new point, which comes behind all others.
+struct Surface_map_3
 {
   Error_code status = ERROR_NO_POLYCUBE;
-  Matrix_3 rotation = Matrix_3::Identity();
   std::vector<Vector_3> images = {};
+  double distortion = (std::numeric_limits<double>::infinity)();
   std::vector<std::array<std::size_t, 2> > splits = {};
-  std::vector<Vector_3> images_with_splits = {}; // also of the new points
 };
 
-// Maps a surface onto a polycube. Without labels, those that keep as many details as possible are proposed.
+// Polycube that a surface is mapped to, after it has been turned about the center of its bounding box.
+struct Polycube_candidate_3
+{
+  const char* strategy; // that found it
+  Matrix_3 rotation;
+  Surface_map_3 map;
+  double cost;          // cost_of_polycube(map)
+};
+
+// Polycubes of a surface, the cheapest one first; the status tells why there are none.
+struct Found_polycubes_3
+{
+  Error_code status = ERROR_NO_POLYCUBE;
+  std::vector<Polycube_candidate_3> candidates = {};
+};
+
+// Maps a surface onto polycubes. Without labels, those that keep as many details as possible are proposed.
 CGAL_POLYCUBE_MESHING_3_INLINE
-Found_polycube_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budget& budget);
+Found_polycubes_3 map_to_polycube_3(const Polycube_problem_3& problem, const Budget& budget);
 
 } // namespace CGAL::Polycube_meshing_3::internal
 

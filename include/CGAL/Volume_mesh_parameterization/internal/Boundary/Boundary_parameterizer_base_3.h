@@ -18,6 +18,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -28,6 +29,7 @@ struct Mapped_boundary_3
   std::vector<std::array<std::size_t, 2> > splits; // edges by their points, one after the other; new points come behind all others
   std::vector<std::array<double, 3> > targets;     // of all points; those of points inside are not numbers
   std::array<std::array<double, 3>, 3> rotation = {}; // rows of the one into the axes of a polycube
+  std::string strategy = {};                          // that found it, if there are several
 };
 
 // Base of all models of `BoundaryParameterizer_3`: `Model::map(surface, given, images, budget)` finds the images. The

@@ -15,12 +15,16 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/map_to_boundaries_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Refinement/Refinement_3.h>
 
+#include <iostream>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes one attempt. `prescription` is of the body without targets.
 inline Mapped_body_3 map_to_boundary_3(const Boundary_attempt_3& attempt, Body_3 body, Prescription_3 prescription,
                                        const Mapped_boundary_3& boundary, Map_problem_3 problem)
 {
+  if(problem.options.verbose && !boundary.strategy.empty())
+    std::cout << "boundary by " << boundary.strategy << ", with " << boundary.splits.size() << " splits" << std::endl;
   const std::size_t number_of_points = body.points.size();
   Mapped_body_3 mapped = { std::move(body), &boundary, {} };
   std::optional<std::vector<Insertion_3> > insertions = split_any_edges_3(mapped.body, boundary.splits);

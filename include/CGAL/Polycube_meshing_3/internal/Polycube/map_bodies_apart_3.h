@@ -1,0 +1,111 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_BODIES_APART_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_BODIES_APART_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Body that shares no point with the other bodies of a surface, and the numbers of its vertices on the whole surface.
+struct Separate_body_3
+{
+  Numbered_surface_3 surface;
+  std::vector<std::array<std::size_t, 4> > cells;
+  std::vector<std::size_t> vertices;
+};
+
+inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
+{
+  std::size_t number_of_points = 0;
+  for(const std::array<std::size_t, 4>& cell : *whole.cells)
+    number_of_points = (std::max)(number_of_points, *std::max_element(cell.begin(), cell.end()) + 1);
+  const std::size_t n = whole.cells->size();
+  Disjoint_sets sets(n + number_of_points); // cells, and points behind them
+  for(std::size_t c = 0; c < n; ++c)
+    for(const std::size_t v : (*whole.cells)[c])
+      sets.unite(c, n + v);
+  const std::vector<std::size_t> numbers = sets.numbers();
+  const auto number_of_body = [&](const std::size_t point) { return numbers[n + point]; };
+
+  std::vector<Separate_body_3> bodies(1 + *std::max_element(numbers.begin(), numbers.begin() + n));
+  for(std::size_t c = 0; c < n; ++c)
+    bodies[numbers[c]].cells.push_back((*whole.cells)[c]);
+  std::vector<std::size_t> number(whole.vertices.size());
+  for(std::size_t v = 0; v < number.size(); ++v)
+  {
+    Separate_body_3& body = bodies[number_of_body(whole.vertices[v])];
+    number[v] = body.vertices.size();
+    body.vertices.push_back(v);
+    body.surface.points.push_back(whole.points[v]);
+    body.surface.vertices.push_back(whole.vertices[v]);
+  }
+  for(const auto& [a, b, c] : whole.facets)
+    bodies[number_of_body(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+  for(const auto& [a, b] : whole.sharp_edges)
+    bodies[number_of_body(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
+  return bodies;
+}
+
+// Moves points by a distance in units of the spacing, if there is one: multiples of it stay multiples, bit by bit.
+inline void move_along_x(const double distance, const double spacing, std::vector<Vector_3>& points)
+{
+  const double unit = spacing > 0 ? spacing : 1;
+  for(Vector_3& p : points)
+  {
+    const double multiple = std::round(p.x() / unit);
+    p[0] = spacing > 0 && p.x() == spacing * multiple ? spacing * (multiple + distance) : p.x() + unit * distance;
+  }
+}
+
+// Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
+// a ring linked with another one must be. A body with cavities is refused.
+inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing, const Budget& budget)
+{
+  std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
+  if(bodies.size() == 1)
+    return { ERROR_SEVERAL_BOUNDARY_COMPONENTS };
+  Surface_map_3 result = { OK, std::vector<Vector_3>(whole.points.size()) };
+  std::vector<Box_3> boxes;
+  double right = -(std::numeric_limits<double>::infinity)(); // of them all
+  for(Separate_body_3& body : bodies)
+  {
+    body.surface.cells = &body.cells;
+    Found_polycubes_3 found = map_to_polycube_3({ body.surface, {}, spacing }, budget);
+    if(found.status != OK)
+      return { found.status };
+    std::vector<Vector_3>& part = found.candidates.front().map.images;
+    const Box_3 box = bounding_box(part);
+    const auto meets = [&](const Box_3& other)
+    { return (box.smallest.cwiseMax(other.smallest) - box.largest.cwiseMin(other.largest)).maxCoeff() <= 0; };
+    if(std::any_of(boxes.begin(), boxes.end(), meets))
+    {
+      const double distance = right - box.smallest.x();
+      move_along_x(spacing > 0 ? std::ceil(distance / spacing + 1) : distance + box.diagonal().x() / 8, spacing, part);
+    }
+    boxes.push_back(bounding_box(part));
+    right = (std::max)(right, boxes.back().largest.x());
+    for(std::size_t v = 0; v < part.size(); ++v)
+      result.images[body.vertices[v]] = part[v];
+  }
+  return result;
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_MAP_BODIES_APART_3_H
