@@ -16,7 +16,6 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -40,7 +39,7 @@ public:
 
   // Takes a surface of diameter about 1, such that lengths and areas compare, and whether each of its edges is sharp.
   Normal_labels_3(const Boundary_mesh_3& mesh, const std::vector<bool>& is_sharp, const Budget& budget)
-    : m_mesh(mesh), m_is_sharp(is_sharp), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
+    : m_mesh(mesh), m_budget(budget), m_is_expensive(mesh.number_of_faces(), { false, false, false })
   {
     const Label_functional_3 functional(mesh, is_sharp);
     for(const Face f : mesh.faces())
@@ -67,34 +66,6 @@ public:
     for(const Costs& costs : m_face_costs)
       labels.push_back(std::min_element(costs.begin(), costs.end()) - costs.begin());
     return labels;
-  }
-
-  // Makes all faces of a plane that two directions suit equally prefer one of them, that of most of it in the given labels, as
-  // rounding would decide about each face. Returns whether there is such a plane.
-  bool decide_ties(const Labels& labels)
-  {
-    constexpr double least_area = 0.004, preference = 0.05; // guesses; parts of the whole area and of that of a face
-    const std::vector<std::size_t> ties = this->ties();
-    const auto [plane_of_face, n] = connected_charts_3(m_mesh, ties);
-    std::vector<double> area(n, 0);
-    std::vector<Costs> area_by_label(n, Costs{});
-    for(const Face f : m_mesh.faces())
-    {
-      area[plane_of_face[f]] += area_of_face(m_mesh, f);
-      area_by_label[plane_of_face[f]][labels[f]] += area_of_face(m_mesh, f);
-    }
-    const double whole_area = std::accumulate(area.begin(), area.end(), 0.);
-    bool has_changed = false;
-    for(const Face f : m_mesh.faces())
-    {
-      const std::size_t plane = plane_of_face[f], a = ties[f] / 6, b = ties[f] % 6;
-      if(ties[f] == no_tie || area[plane] < least_area * whole_area)
-        continue;
-      const std::size_t label = area_by_label[plane][b] > area_by_label[plane][a] ? b : a;
-      m_face_costs[f][label] -= preference * area_of_face(m_mesh, f);
-      has_changed = true;
-    }
-    return has_changed;
   }
 
   // Connected faces that are far from all directions and have the same two closest ones.
@@ -155,8 +126,6 @@ public:
 
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
-  bool is_sharp(const Boundary_mesh_3::Halfedge_index h) const { return m_is_sharp[m_mesh.edge(h)]; }
-
   // Returns for all charts the labels that they do not have, the one with the least increase of the cost first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
                                                       const std::vector<std::size_t>& chart_of_face) const
@@ -191,20 +160,6 @@ private:
 
   // Side of a face: the face beyond it, and the cost of different labels on both sides, smoothing 1.
   struct Side { Face face; double cost; };
-
-  // Returns for each face the number of the two directions that suit it about equally, `no_tie` if there are none.
-  std::vector<std::size_t> ties() const
-  {
-    constexpr double tolerance = 0.02; // a guess; by parts of the area, an angle of 0.8 degrees
-    std::vector<std::size_t> result;
-    for(const Face f : m_mesh.faces())
-    {
-      const std::array<std::size_t, 2> closest = two_closest(f);
-      const auto [a, b] = std::minmax(closest[0], closest[1]);
-      result.push_back(cost(f, closest[1]) - cost(f, closest[0]) < tolerance * area_of_face(m_mesh, f) ? 6 * a + b : no_tie);
-    }
-    return result;
-  }
 
   // Returns the two cheapest labels of a face.
   std::array<std::size_t, 2> two_closest(const Face f) const
@@ -331,11 +286,9 @@ private:
     return has_changed;
   }
 
-  static constexpr std::size_t no_tie = 0;
   static constexpr double least_gain = 1e-12; // above rounding of sums of about 1, so that no change is undone by the next
 
   const Boundary_mesh_3& m_mesh;
-  const std::vector<bool> m_is_sharp;
   const Budget& m_budget;
   std::vector<std::array<bool, 3> > m_is_expensive; // for each face, labels of each axis
   std::vector<Costs> m_face_costs;                  // costs of a face by label

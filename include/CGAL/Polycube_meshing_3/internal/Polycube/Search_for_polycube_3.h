@@ -14,22 +14,16 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Search for the labels whose polycube has the least distortion.
-//
-// Labels are proposed with more and more smoothing. Where the boundary is too coarse, faces for which there is no room are given
-// to neighboring charts, and borders that fold are unfolded. If there are planes that two directions suit equally, labels are
-// proposed once more with one direction for each: they are taken if they have less distortion and give up no more sharp edges.
+// Search for the labels whose polycube has the least distortion. Labels are proposed with more and more smoothing. Where the
+// boundary is too coarse, faces for which there is no room are given to neighboring charts. Slopes of bad polycubes get other
+// labels.
 class Search_for_polycube_3
 {
 public:
@@ -41,15 +35,11 @@ public:
   // Returns the map to the best polycube.
   Surface_map_3 run()
   {
-    Normal_labels_3 costs(m_mesh, m_surface.is_sharp, m_budget);
-    Polycube best = proposed(costs);
-    if(best.map.status == OK && costs.decide_ties(best.labels))
-      if(Polycube other = proposed(costs);
-         other.map.distortion < best.map.distortion && length_given_up(other) <= length_given_up(best))
-        best = std::move(other);
-    if(best.map.status == OK || m_surface.spacing > 0) // hexahedra are worth a search where no labels have a polycube
+    const Normal_labels_3 costs(m_mesh, m_surface.is_sharp, m_budget);
+    Surface_map_3 best = proposed(costs);
+    if(best.status == OK || m_surface.spacing > 0) // hexahedra are worth a search where no labels have a polycube
       turn_slopes(costs, best);
-    return std::move(best.map);
+    return best;
   }
 
 private:
@@ -57,16 +47,9 @@ private:
 
   using Labels = Normal_labels_3::Labels;
 
-  struct Polycube
-  {
-    Surface_map_3 map;
-    Labels labels;
-  };
-
   // Returns the polycube of the least distortion among those that can be finished.
-  Polycube proposed(Normal_labels_3 costs)
+  Surface_map_3 proposed(Normal_labels_3 costs)
   {
-    Polycube result;
     std::multimap<double, Polycube_map_3> maps; // by distortion
     for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= m_factor)
     {
@@ -81,8 +64,7 @@ private:
           break;
         Polycube_map_3 map(m_surface, labels);
         const Error_code status = map.start_close_to_surface(m_budget);
-        const bool has_changed = give_away_faces(m_mesh, map.flipped_faces(), costs, labels)
-          || unfold_chain(m_mesh, map.charts(), costs, labels);
+        const bool has_changed = give_away_faces(m_mesh, map.flipped_faces(), costs, labels);
         if(status == OK)
           maps.emplace(map.distortion(), std::move(map));
         if(!has_changed)
@@ -90,49 +72,31 @@ private:
       }
     }
     for(auto& [distortion, map] : maps)
-    {
-      Surface_map_3 finished = finished_map_3(map, m_budget);
-      if(finished.status != OK)
-        continue;
-      result.map = std::move(finished);
-      for(const std::size_t chart : map.charts().chart_of_face())
-        result.labels.push_back(map.charts().labels()[chart]);
-      break;
-    }
-    return result;
+      if(Surface_map_3 result = finished_map_3(map, m_budget); result.status == OK)
+        return result;
+    return {};
   }
 
   // Lets slopes prefer their second direction, the largest ones first, as long as the best polycube is bad: a slope that has the
   // direction of the faces at both of its ends joins them to one.
-  void turn_slopes(Normal_labels_3 costs, Polycube& best)
+  void turn_slopes(Normal_labels_3 costs, Surface_map_3& best)
   {
     constexpr double bad_distortion = 0.5; // a guess; parts of CAD have less
     constexpr int patience = 4;            // a guess
     int in_vain = 0;
     for(const Normal_labels_3::Slope& slope : costs.slopes())
     {
-      if(!(best.map.distortion > bad_distortion) || in_vain++ == patience)
+      if(!(best.distortion > bad_distortion) || in_vain++ == patience)
         return;
       Normal_labels_3 turned = costs;
       turned.turn(slope);
-      Polycube other = proposed(turned);
-      if(!(other.map.distortion < best.map.distortion))
+      Surface_map_3 other = proposed(turned);
+      if(!(other.distortion < best.distortion))
         continue;
       best = std::move(other);
       costs.turn(slope);
       in_vain = 0;
     }
-  }
-
-  // Returns the length of the sharp edges whose images lead along no axis.
-  double length_given_up(const Polycube& polycube) const
-  {
-    double result = 0;
-    for(const auto e : m_mesh.edges())
-      if(const auto h = m_mesh.halfedge(e); m_surface.is_sharp[e]
-         && !leads_along_axis(polycube.map.images[m_mesh.source(h)], polycube.map.images[m_mesh.target(h)]))
-        result += edge_vector(m_mesh, h).norm();
-    return result;
   }
 
   const Unit_surface_3& m_surface;

@@ -14,7 +14,6 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Normal_labels_3.h>
 
-#include <map>
 #include <optional>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -216,119 +215,6 @@ inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Bound
     has_changed = has_changed || labels[f] != label;
   }
   return has_changed;
-}
-
-using Boundary_line_3 = std::vector<Boundary_mesh_3::Halfedge_index>;
-
-// Part of a chain that begins at a corner and leads back behind it, against the direction of the edge of the polycube.
-struct Chain_fold_3
-{
-  double depth = 0; // how far the part leads back
-  Boundary_line_3 line;
-  int axis = -1;
-};
-
-inline Chain_fold_3 fold_of_chain(const Boundary_mesh_3& mesh, const Polycube_chain_3& chain, const bool is_at_last)
-{
-  Chain_fold_3 result = { 0, chain.halfedges, chain.axis };
-  if(is_at_last)
-  {
-    std::reverse(result.line.begin(), result.line.end());
-    for(auto& h : result.line)
-      h = mesh.opposite(h);
-  }
-  const int sign = is_at_last ? chain.sign : -chain.sign;
-  const Vector_3 corner = to_vector(mesh.point(mesh.source(result.line.front())));
-  double length = 0, length_of_fold = 0;
-  std::size_t number = 0;
-  for(std::size_t i = 0; i < result.line.size(); ++i)
-  {
-    length += edge_vector(mesh, result.line[i]).norm();
-    const Vector_3 from_corner = to_vector(mesh.point(mesh.target(result.line[i]))) - corner;
-    if(const double depth = sign * from_corner[chain.axis]; depth > result.depth)
-    {
-      result.depth = depth;
-      length_of_fold = length;
-      number = i + 1;
-    }
-  }
-  // one edge is due to a coarse mesh, and a line that is not along the axis leads elsewhere
-  if(number < 2 || result.depth < length_of_fold / 2)
-    return {};
-  result.line.resize(number);
-  return result;
-}
-
-inline Chain_fold_3 deepest_fold(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts)
-{
-  Chain_fold_3 result;
-  for(const Polycube_chain_3& chain : charts.chains())
-    for(const bool is_at_last : { false, true })
-      if(Chain_fold_3 fold = fold_of_chain(mesh, chain, is_at_last); fold.depth > result.depth)
-        result = std::move(fold);
-  return result;
-}
-
-// Returns the faces to the left of a line that are joined to it within their chart, not across sharp edges, with centers
-// between the ends of the line along an axis.
-inline std::vector<Boundary_mesh_3::Face_index> faces_beside(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
-                                                             const Normal_labels_3& costs, const Boundary_line_3& line,
-                                                             const int axis)
-{
-  const auto [lowest, highest]
-    = std::minmax<double>({ mesh.point(mesh.source(line.front()))[axis], mesh.point(mesh.target(line.back()))[axis] });
-  std::vector<bool> is_reached(mesh.number_of_faces(), false);
-  std::vector<Boundary_mesh_3::Face_index> faces;
-  const auto reach = [&, lowest = lowest, highest = highest](const Boundary_mesh_3::Halfedge_index h)
-  {
-    double center = 0;
-    for(const auto v : CGAL::vertices_around_face(h, mesh))
-      center += mesh.point(v)[axis] / 3;
-    if(is_reached[mesh.face(h)] || charts.chart(h) != charts.chart(line.front()) || center < lowest || center > highest)
-      return;
-    is_reached[mesh.face(h)] = true;
-    faces.push_back(mesh.face(h));
-  };
-  for(const auto h : line)
-    reach(h);
-  for(std::size_t i = 0; i < faces.size(); ++i)
-    for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(faces[i]), mesh))
-      if(!costs.is_sharp(h))
-        reach(mesh.opposite(h));
-  return faces;
-}
-
-// Unfolds the chain that leads back farthest behind one of its corners, as edges of polycubes are monotone (Livesu et al.,
-// PolyCut): the third chart at the corner is extended as far as the chain leads back, at the expense of the chart beside it
-// whose faces lose least. Returns whether labels changed.
-inline bool unfold_chain(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const Normal_labels_3& costs,
-                         std::vector<std::size_t>& labels)
-{
-  const Chain_fold_3 fold = deepest_fold(mesh, charts);
-  if(fold.line.empty())
-    return false;
-  Boundary_line_3 other_side;
-  for(const auto h : fold.line)
-    other_side.push_back(mesh.opposite(h));
-  std::size_t label = labels.size();
-  for(const auto h : CGAL::halfedges_around_source(fold.line.front(), mesh))
-    if(charts.chart(h) != charts.chart(fold.line.front()) && charts.chart(h) != charts.chart(other_side.front()))
-      label = labels[mesh.face(h)];
-  std::map<double, std::vector<Boundary_mesh_3::Face_index> > sides; // by the mean loss of their faces
-  for(const Boundary_line_3& line : { fold.line, other_side })
-  {
-    const auto faces = faces_beside(mesh, charts, costs, line, fold.axis);
-    double loss = 0;
-    for(const auto f : faces)
-      loss += costs.cost(f, label) - costs.cost(f, labels[f]);
-    if(!faces.empty())
-      sides[loss / static_cast<double>(faces.size())] = faces;
-  }
-  if(sides.empty())
-    return false;
-  for(const auto f : sides.begin()->second)
-    labels[f] = label;
-  return true;
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal
