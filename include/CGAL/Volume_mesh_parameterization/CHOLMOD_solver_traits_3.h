@@ -33,7 +33,7 @@ constexpr std::size_t number_of_entries_of_lower_triangle(const std::size_t numb
 \ingroup PkgVolumeMeshParameterizationSolvers
 
 Supernodal Cholesky factorization by CHOLMOD \cgalCite{cgal:cdhr-cholmod-08} (SuiteSparse), in double precision. The
-graph of the vertices is ordered and the pattern analyzed once; each Newton step refactorizes. The solution is exact to rounding.
+unknowns are ordered and the pattern analyzed once; each Newton step refactorizes. The solution is exact to rounding.
 For \f$n\f$ vertices of the mesh of a volume, a factorization takes time in \f$O(n^2)\f$ and memory in \f$O(n^{4/3})\f$ with
 nested dissection, which needs METIS.
 
@@ -44,6 +44,7 @@ Small supernodes want a single BLAS thread: with OpenBLAS, set `OPENBLAS_NUM_THR
 
 \cgalModels{NewtonSolverTraits_3}
 */
+// Eigen's wrapper of CHOLMOD would be slower by nothing, but ends the program if memory does not suffice to analyze the pattern.
 class CHOLMOD_solver_traits_3
 {
 public:
@@ -79,11 +80,7 @@ public:
       return;
     set_matrix(A);
     cholmod_sparse view = matrix_view();
-    m_common.nmethods = 1;
-    m_common.method[0].ordering = CHOLMOD_GIVEN;
-    m_common.postorder = 1;
-    std::vector<int> order = vertex_order(A);
-    m_factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &m_common);
+    m_factor = cholmod_analyze(&view, &m_common);
   }
 
   /// factorizes `A`.
@@ -154,44 +151,17 @@ private:
       }
   }
 
-  // Orders the graph of the vertices, which is nine times smaller than that of the unknowns.
-  std::vector<int> vertex_order(const Matrix& A)
-  {
-    std::vector<int> begin(1, 0), rows;
-    for(int v = 0; v < A.size(); ++v)
-    {
-      for(int k = A.row_begin(v); k < A.row_end(v); ++k)
-        if(A.column(k) >= v)
-          rows.push_back(A.column(k));
-      begin.push_back(static_cast<int>(rows.size()));
-    }
-    cholmod_sparse graph = view(A.size(), begin, rows, nullptr);
-    std::vector<int> vertices(A.size());
-    if(!cholmod_metis(&graph, nullptr, 0, 1, vertices.data(), &m_common))
-      cholmod_amd(&graph, nullptr, 0, vertices.data(), &m_common);
-
-    std::vector<int> unknowns;
-    unknowns.reserve(3 * vertices.size());
-    for(const int v : vertices)
-      for(int component = 0; component < 3; ++component)
-        unknowns.push_back(3 * v + component);
-    return unknowns;
-  }
-
   cholmod_sparse matrix_view()
-  { return view(static_cast<int>(m_column_begin.size()) - 1, m_column_begin, m_rows, m_values.data()); }
-
-  static cholmod_sparse view(const int size, std::vector<int>& begin, std::vector<int>& rows, double* values)
   {
     cholmod_sparse result = {};
-    result.nrow = result.ncol = static_cast<std::size_t>(size);
-    result.nzmax = rows.size();
-    result.p = begin.data();
-    result.i = rows.data();
-    result.x = values;
+    result.nrow = result.ncol = m_column_begin.size() - 1;
+    result.nzmax = m_rows.size();
+    result.p = m_column_begin.data();
+    result.i = m_rows.data();
+    result.x = m_values.data();
     result.stype = -1; // the lower triangle
     result.itype = CHOLMOD_INT;
-    result.xtype = values == nullptr ? CHOLMOD_PATTERN : CHOLMOD_REAL;
+    result.xtype = CHOLMOD_REAL;
     result.dtype = CHOLMOD_DOUBLE;
     result.sorted = 1;
     result.packed = 1;
