@@ -31,7 +31,7 @@ public:
   Penalty_minimizer_3(Newton_system_3& system, Quadratic_penalty_3& penalty, const Cell_energy_3& energy,
                       const Matrix3Xd& positions, const Soft_boundary_parameters& parameters, const double diameter)
     : m_system(system), m_penalty(penalty), m_energy(energy), m_parameters(parameters), m_diameter(diameter),
-      m_iterate{ system.scale(), system.scale() * positions }, m_can_relax(parameters.maximum_number_of_relaxations > 0)
+      m_iterate{ system.scale(), system.scale() * positions }
   {
     m_iterate.evaluation = system.evaluate(energy, m_iterate.u);
     m_last_energy = m_iterate.evaluation.energy;
@@ -45,24 +45,24 @@ public:
   {
     if(is_relaxing())
       return relax();
-    bool has_moved = move_with_hessian(may_relax());
-    if(may_relax() && !has_moved && m_can_relax && !m_iterate.direction.has_solver_failed())
+    bool has_moved = move_with_hessian(allows_relaxation());
+    if(allows_relaxation() && !has_moved && m_has_paid_off && !m_iterate.direction.has_solver_failed())
     {
       begin_relaxation();
       return relax();
     }
-    if(!has_moved && (may_relax() || m_parameters.use_full_hessian))
+    if(!has_moved && (allows_relaxation() || m_parameters.use_full_hessian))
       has_moved = move(0, false);
-    if(may_relax()) // a relaxation has to pay off before there is another one
+    if(allows_relaxation())
     {
-      m_can_relax = m_iterate.evaluation.energy < m_lowest_energy;
+      m_has_paid_off = m_iterate.evaluation.energy < m_lowest_energy;
       m_lowest_energy = (std::min)(m_lowest_energy, m_iterate.evaluation.energy);
     }
     return conclude(has_moved);
   }
 
 private:
-  bool may_relax() const { return m_parameters.maximum_number_of_relaxations > 0; } // the target, as in the paper
+  bool allows_relaxation() const { return m_parameters.maximum_number_of_relaxations > 0; } // the target, as in the paper
 
   // A Newton step with the full Hessian, or with as much of its negative curvature as serves.
   bool move_with_hessian(const bool must_decrease_gradient)
@@ -78,7 +78,7 @@ private:
   {
     return m_iterate.move(m_system.direction(m_energy, m_iterate.u, negative_curvature, solver_tolerance()), [&]
     {
-      if(!may_relax())
+      if(!allows_relaxation())
         return far_line_search_3(m_system, m_energy, m_iterate);
       return safe_line_search_3(m_system, m_energy, m_iterate, must_decrease_gradient
                                 ? m_iterate.direction.gradient_norm : std::numeric_limits<double>::infinity());
@@ -87,7 +87,7 @@ private:
 
   void begin_relaxation()
   {
-    m_can_relax = false;
+    m_has_paid_off = false;
     m_relaxations_left = m_parameters.maximum_number_of_relaxations;
     m_penalty.hold(m_iterate.u);
     m_iterate.evaluation = m_system.evaluate(m_energy, m_iterate.u);
@@ -112,9 +112,11 @@ private:
       return ERROR_LINEAR_SOLVER_FAILED;
     if(m_iterate.step_length >= 1)
       m_negative_curvature.raise();
+    const double change = std::abs(m_iterate.evaluation.energy - m_last_energy);
+    m_last_energy = m_iterate.evaluation.energy;
     if(!has_moved)
       return is_gradient_small() ? OK : ERROR_NOT_CONVERGED;
-    return is_converged() ? std::optional(OK) : std::nullopt;
+    return is_converged(change) ? std::optional(OK) : std::nullopt;
   }
 
   // the energy without the penalty
@@ -123,10 +125,9 @@ private:
   // Asks for a residual that is small against the distortion, even where the penalty is much larger.
   double solver_tolerance() const { return 1e-2 * std::sqrt(distortion() / m_iterate.evaluation.energy); }
 
-  bool is_converged()
+  // Takes the change of the energy by the last step.
+  bool is_converged(const double change) const
   {
-    const double change = std::abs(m_iterate.evaluation.energy - m_last_energy);
-    m_last_energy = m_iterate.evaluation.energy;
     const double largest_move = m_iterate.step_length * m_iterate.direction.vectors.colwise().norm().maxCoeff();
     return change < m_parameters.energy_tolerance * m_diameter
         || change < m_parameters.relative_energy_tolerance * m_iterate.evaluation.energy
@@ -146,7 +147,7 @@ private:
   Negative_curvature m_negative_curvature;
   double m_last_energy; // after the last step that has been concluded
   double m_lowest_energy = std::numeric_limits<double>::infinity();
-  bool m_can_relax;
+  bool m_has_paid_off = true; // the last relaxation, or there was none
   std::size_t m_relaxations_left = 0;
 };
 
