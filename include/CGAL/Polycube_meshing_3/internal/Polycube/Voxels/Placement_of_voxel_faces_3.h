@@ -12,7 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/split_edges_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>

@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Label_functional_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/manifold_voxels_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxels_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_faces_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 

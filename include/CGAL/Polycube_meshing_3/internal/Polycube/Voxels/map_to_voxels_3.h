@@ -17,7 +17,6 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Drawn_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Placement_of_voxel_faces_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Routed_charts_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/split_edges_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/Voxel_simplification_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/directions.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/ordered_coordinates_3.h>
