@@ -4,12 +4,11 @@
 compare_strategies.py FOLDER BODY.mesh ... [--number NUMBER] [--output PREFIX]
 
 A copy of the project in FOLDER gets a switch at each strategy in the list below, and its driver is built. The project itself has
-no switches. The driver maps each body to a polycube, and makes hexahedra. Then each strategy that it came across is switched off,
-and the polycube is found again. If the images of the boundary differ, or if the strategy is one of hexahedra, these are made
-again. A line is printed for each strategy: the numbers of bodies that came across it, whose results differ without it, that are
-lost without it, and that are worse and better without it, with their names. A body is worse if its minimal scaled Jacobian is
-lower by 0.01 at least; if that is equal, the larger distance from the boundary decides. A strategy without which no body is lost
-or worse has no reason to stay.
+no switches. The driver maps the boundary of each body to a polycube, and again without each strategy that it came across. If the
+images of the boundary differ then, or if the strategy is one of hexahedra, it makes hexahedra with and without it. A line is
+printed for each strategy: how many bodies came across it, and which are lost, worse, as good or better without it; for the others,
+nothing changes. A body is worse if its minimal scaled Jacobian is lower by 0.01 at least. If that is equal, the distance from the
+boundary decides. A strategy without which no body is lost or worse has no reason to stay.
 """
 import argparse
 import json
@@ -155,6 +154,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path, help="for the copy of the project")
     parser.add_argument("bodies", type=Path, nargs="+", metavar="BODY", help="a tetrahedral mesh")
+    parser.add_argument("--polycubes", action="store_true", help="leave out the strategies of hexahedra")
     parser.add_argument("--number", type=float, default=40, help="of hexahedra along the diagonal of the bounding box")
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
     parser.add_argument("--time-limit", type=float, default=600, metavar="SECONDS",
@@ -167,15 +167,20 @@ def main():
     rows, ends = [], defaultdict(lambda: defaultdict(list))
     for body in arguments.bodies:
         spacing = diagonal_of([[float(x) for x in p] for p in read_points(sections(body)["Vertices"])]) / arguments.number
-        strategies, images, result = run(arguments, driver, body, spacing)
+        strategies, images, _ = run(arguments, driver, body, spacing, only_polycube=True)
+        others = sorted(strategy for strategy in strategies
+                        if run(arguments, driver, body, spacing, strategy, True)[1] != images)
+        for strategy in strategies.difference(others):
+            ends[strategy]["same"].append(body.stem)
+        result = {}
+        if others or not arguments.polycubes:
+            strategies, _, result = run(arguments, driver, body, spacing)
+            others += sorted(strategy for strategy in strategies if STRATEGIES[strategy][0] == HEXAHEDRA)
         rows.append({"body": body.stem, "off": "", **result})
         print(rows[-1], flush=True)
-        for strategy in sorted(strategies):
-            is_of_polycube = STRATEGIES[strategy][0] == POLYCUBE
-            _, other_images, other = run(arguments, driver, body, spacing, strategy, is_of_polycube)
-            if is_of_polycube and other_images != images:
-                other = run(arguments, driver, body, spacing, strategy)[2]
-            end = compared(result, other) if not is_of_polycube or other_images != images else "same"
+        for strategy in others:
+            other = run(arguments, driver, body, spacing, strategy)[2]
+            end = compared(result, other)
             ends[strategy][end].append(body.stem)
             rows.append({"body": body.stem, "off": strategy, "end": end, **other})
             print(rows[-1], flush=True)
