@@ -189,8 +189,8 @@ inline void print_end(const Options& options, const Outcome& outcome)
     std::cout << "Success\n";
 }
 
-// Adds the strategy that found a polycube, the costs of those of all strategies, the rotation of the source into its axes, by rows,
-// and which sharp edges it gives up.
+// Adds the strategy that found a polycube, the costs of those of all strategies, the rotation of the source into the axes, by
+// rows, and which sharp edges it gives up.
 inline void add(JSON_object& report, const PM::Polycube_result& polycube)
 {
   std::vector<double> rotation, points;

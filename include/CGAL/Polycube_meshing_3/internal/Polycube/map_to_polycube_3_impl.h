@@ -24,17 +24,13 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <utility>
 
 namespace CGAL::Polycube_meshing_3::internal {
-
-// Returns what a polycube costs: its distortion, and the vertices that were added, which multiply the cells inside.
-inline double cost_of_polycube(const Surface_map_3& map)
-{
-  const double n = static_cast<double>(map.images.size());
-  return map.distortion * n / (n - static_cast<double>(map.splits.size()));
-}
 
 // Adds a polycube to those that are sorted by their costs, if it was found. The first other reason why there are none remains.
 inline void add(const char* strategy, const Matrix_3& rotation, Surface_map_3 map, Found_polycubes_3& found)
@@ -64,26 +60,41 @@ inline std::vector<Turned_surface_3> frames_of_surface_3(const Polycube_problem_
   return result;
 }
 
-// Maps a surface to polycubes of all strategies that may lead to a cheaper one than those before. The first one that is found in
-// several frames decides about the frame of others.
+// Strategy that may lead to a polycube, and about the least that one has cost: it is not tried if there is a cheaper one.
+struct Polycube_strategy_3
+{
+  const char* name;
+  bool is_possible, is_for_all_frames;
+  double least_cost;
+  std::function<Surface_map_3(const Turned_surface_3&)> map;
+};
+
+// Maps a surface by all strategies that may lead to a cheaper polycube than those before: labels in all frames, the others in the
+// frame of the cheapest one.
 inline Found_polycubes_3 map_in_frames_3(const std::vector<Turned_surface_3>& frames, const bool may_split, const Budget& budget)
 {
-  constexpr double least_cost_of_boxes = 0.5, least_cost_of_voxels = 0.8;
-  const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // guesses; three frames have enough candidates with fewer of each
+  const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // three frames have enough labels with fewer of each
+  const Error_code kind = check_sphere(frames.front().mesh);
+  const bool is_connected = kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+  const std::array<Polycube_strategy_3, 4> strategies = {{
+    { "labels", true, true, 0,
+      [&](const Turned_surface_3& frame) { return Search_for_polycube_3(frame, factor, budget).run(); } },
+    { "bounding box", kind == OK, false, 0.5,
+      [&](const Turned_surface_3& frame) { return map_to_bounding_box_3(frame, budget); } },
+    { "bodies side by side", !is_connected, false, (std::numeric_limits<double>::infinity)(),
+      [&](const Turned_surface_3& frame) { return map_bodies_apart_3(frame.surface, frame.spacing, budget); } },
+    { "voxels", is_connected && may_split, false, 0.8,
+      [&](const Turned_surface_3& frame) { return map_to_voxels_3(frame, budget); } }
+  }};
   Found_polycubes_3 found;
-  for(const Turned_surface_3& frame : frames)
-    add("labels", frame.rotation, Search_for_polycube_3(frame, factor, budget).run(), found);
-  const auto has_cheaper = [&](const double cost) { return !found.candidates.empty() && found.candidates.front().cost < cost; };
-  const auto is_best = [&](const Turned_surface_3& frame) { return frame.rotation == found.candidates.front().rotation; };
-  const Turned_surface_3& frame
-    = found.candidates.empty() ? frames.front() : *std::find_if(frames.begin(), frames.end(), is_best);
-  const Error_code kind = check_sphere(frame.mesh);
-  if(kind == ERROR_SEVERAL_BOUNDARY_COMPONENTS && found.candidates.empty())
-    add("bodies side by side", frame.rotation, map_bodies_apart_3(frame.surface, frame.spacing, budget), found);
-  if(kind == OK && !has_cheaper(least_cost_of_boxes))
-    add("bounding box", frame.rotation, map_to_bounding_box_3(frame, budget), found);
-  if(may_split && kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS && !has_cheaper(least_cost_of_voxels))
-    add("voxels", frame.rotation, map_to_voxels_3(frame, budget), found);
+  const auto is_beaten = [&](const Polycube_strategy_3& strategy)
+  { return !found.candidates.empty() && found.candidates.front().cost < strategy.least_cost; };
+  const auto is_of_best = [&](const Turned_surface_3& frame)
+  { return frame.rotation == (found.candidates.empty() ? frames.front().rotation : found.candidates.front().rotation); };
+  for(const Polycube_strategy_3& strategy : strategies)
+    for(const Turned_surface_3& frame : frames)
+      if(strategy.is_possible && !is_beaten(strategy) && (strategy.is_for_all_frames || is_of_best(frame)))
+        add(strategy.name, frame.rotation, strategy.map(frame), found);
   return found;
 }
 

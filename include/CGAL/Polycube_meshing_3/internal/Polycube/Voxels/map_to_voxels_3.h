@@ -126,8 +126,7 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
   return result;
 }
 
-// Maps a surface to the best of some polycubes of voxels: finer and finer ones, at several places. Splits have a price, since
-// they multiply the cells inside.
+// Maps a surface to the cheapest of some polycubes of voxels: finer and finer ones, at several places.
 inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
@@ -135,7 +134,6 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
   constexpr std::array<double, 3> lengths_of_edges = { 1, 0.5, 0.25 }; // in voxels; shorter ones if chains are blocked
   const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
-  const auto cost = [](const Surface_map_3& map) { return map.distortion * static_cast<double>(map.images.size()); }; // a guess
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
   Surface_map_3 best;
@@ -166,7 +164,7 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
         if(map.status != OK)
           continue;
         ++number_of_maps;
-        if(best.status != OK || cost(map) < cost(best))
+        if(best.status != OK || cost_of_polycube(map) < cost_of_polycube(best))
           best = std::move(map);
         break;
       }
