@@ -33,18 +33,14 @@ TOLERANCE = 0.01  # of scaled Jacobians, and of distances from the boundary in s
 
 # Strategies, the file each one is in, a text that is there once, and the text with the switch.
 STRATEGIES = {
-    "box with a hole": (POLYCUBE, "map_to_polycube_3_impl.h", "if(number_of_handles(turned.mesh) == 1)",
-                        "if(number_of_handles(turned.mesh) == 1 && is_on())"),
-    "voxels": (POLYCUBE, "map_to_polycube_3_impl.h", "if(may_split && enough * map.distortion >= usual)",
-               "if(may_split && enough * map.distortion >= usual && is_on())"),
-    "ties": (POLYCUBE, "Search_for_polycube_3.h", "if(best.map.status == OK && costs.decide_ties(best.labels))",
-             "if(best.map.status == OK && is_on() && costs.decide_ties(best.labels))"),
+    "bounding box": (POLYCUBE, "map_to_polycube_3_impl.h", '"bounding box", kind == OK', '"bounding box", kind == OK && is_on()'),
+    "voxels": (POLYCUBE, "map_to_polycube_3_impl.h", '"voxels", is_connected && may_split',
+               '"voxels", is_connected && may_split && is_on()'),
     "slopes": (POLYCUBE, "Search_for_polycube_3.h", "    int in_vain = 0;\n", "    int in_vain = is_on() ? 0 : patience;\n"),
     "narrow charts": (POLYCUBE, "repair_labels_3.h", "if(width == 0)", "if(width == 0 || !is_on())"),
     "giving faces away": (POLYCUBE, "Search_for_polycube_3.h", "= give_away_faces(m_mesh, map.flipped_faces(), costs, labels)",
                           "= (!map.flipped_faces().empty() && is_on() && give_away_faces(m_mesh, map.flipped_faces(), costs, "
                           "labels))"),
-    "unfolding": (POLYCUBE, "repair_labels_3.h", "  if(fold.line.empty())", "  if(fold.line.empty() || !is_on())"),
     "further frames": (POLYCUBE, "frames_of_normals_3.h", "if(std::all_of(result.begin(), result.end(), is_other))",
                        "if(std::all_of(result.begin(), result.end(), is_other) && (result.empty() || is_on()))"),
     "lengths": (POLYCUBE, "Polycube_map_3.h", "with_lengths_of_surface(const Budget& budget) const\n  {",
@@ -71,7 +67,7 @@ inline bool is_on(const std::string& strategy)
 }
 }
 """
-END_OF_POLYCUBE = "    for(internal::Mapped_boundary_3& boundary : boundaries)\n      for(int i = 0; i < 3; ++i)"
+END_OF_POLYCUBE = "    return found.status;\n"
 IMAGES = """    {
       std::ofstream log(std::getenv("STRATEGY_LOG"), std::ios::app);
       for(const internal::Mapped_boundary_3& boundary : boundaries)
