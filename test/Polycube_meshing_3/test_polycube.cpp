@@ -214,7 +214,7 @@ TEST_CASE("a ramp does not join the faces at its ends")
 namespace {
 
 // Two arms of a fork turn three times around each other, so that no labels of its charts are valid.
-VMP::Tetrahedron_soup_3 fork()
+VMP::Tetrahedron_soup_3 twisted_fork()
 {
   return bricks({4, 3, 16}, [](const int x, int, const int z) { return z < 2 || x == 0 || x == 3; },
     [](const double x, const double y, const double z) -> std::array<double, 3>
@@ -228,7 +228,7 @@ VMP::Tetrahedron_soup_3 fork()
 
 TEST_CASE("a topological sphere that has no other polycube is mapped to its bounding box")
 {
-  Labelled_complex complex(fork());
+  Labelled_complex complex(twisted_fork());
   CHECK(complex.parameterize() == VMP::OK);
   CHECK(faces_of_image(complex).size() == 6);
   complex.image.clear();
@@ -236,9 +236,28 @@ TEST_CASE("a topological sphere that has no other polycube is mapped to its boun
   CHECK(faces_of_image(complex).size() == 6);
 }
 
+TEST_CASE("of several polycubes, the cheapest one is taken, and the costs of all are told")
+{
+  // a bar that is twisted by a half turn: labels follow the axes, and the sides of a box the bar
+  const VMP::Tetrahedron_soup_3 soup = bricks({3, 3, 12}, is_box,
+    [](const double x, const double y, const double z) -> std::array<double, 3>
+  {
+    const double angle = CGAL_PI / 12 * z, c = std::cos(angle), s = std::sin(angle);
+    return {c * (x - 1.5) - s * (y - 1.5), s * (x - 1.5) + c * (y - 1.5), z};
+  });
+  PM::Polycube_result result;
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube(0, PM::Polycube_axes::GIVEN, &result).parameterize(soup, targets) == VMP::OK);
+  REQUIRE(result.candidates.size() == 2);
+  CHECK(result.candidates[0].strategy == "bounding box");
+  CHECK(result.candidates[1].strategy == "labels");
+  CHECK(result.candidates[0].cost < result.candidates[1].cost);
+  CHECK(result.strategy == "bounding box");
+}
+
 TEST_CASE("bodies whose polycubes would touch are mapped side by side")
 {
-  VMP::Tetrahedron_soup_3 soup = fork();
+  VMP::Tetrahedron_soup_3 soup = twisted_fork();
   const std::size_t number_of_points = soup.points.size(), number_of_cells = soup.cells.size();
   for(std::size_t v = 0; v < number_of_points; ++v) // a second fork, whose bounding box meets that of the first one
     soup.points.push_back({ soup.points[v][0] + 2, soup.points[v][1] + 1, soup.points[v][2] + 0.5 });
