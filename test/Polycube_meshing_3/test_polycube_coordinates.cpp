@@ -1,6 +1,7 @@
 // Coordinates of the faces of a polycube: their order, their lengths, and multiples of a spacing.
 #include "bricks.h"
 
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Normal_labels_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 
 #include <Eigen/Dense>
