@@ -198,9 +198,9 @@ TEST_CASE("The boundary of arrays is refined only if this is asked for, on the e
   const Tetrahedron_soup_3 ring = ring_with_references();
   Tetrahedron_soup_3 soup = ring;
   std::vector<Point> uvw;
-  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, uvw, polycube).status == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  CHECK(CGAL::stretch_minimizing_volume_parameterization(soup, uvw, polycube).status == VMP::ERROR_NO_POLYCUBE);
   CHECK(CGAL::stretch_minimizing_volume_parameterization(
-    soup, uvw, polycube.refinement_mode(Refinement_mode::NONE)).status == VMP::ERROR_BOUNDARY_TOO_COARSE);
+    soup, uvw, polycube.refinement_mode(Refinement_mode::NONE)).status == VMP::ERROR_NO_POLYCUBE);
   CHECK(soup.points == ring.points);
 
   const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
