@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
-#include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Surface_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
 #include <algorithm>
@@ -73,9 +75,10 @@ inline void move_along_x(const double distance, const double spacing, std::vecto
   }
 }
 
-// Maps several bodies, each for itself. A polycube that would touch earlier ones is moved to the right of them all, as that of
-// a ring linked with another one must be. A body with cavities is refused.
-inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing, const Budget& budget)
+// Maps several bodies, each for itself by `map_body(surface)`. A polycube that would touch earlier ones is moved to the right of
+// them all, as that of a ring linked with another one must be. A body with cavities is refused.
+template <typename MapBody>
+Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing, const MapBody& map_body)
 {
   std::vector<Separate_body_3> bodies = separate_bodies_3(whole);
   if(bodies.size() == 1)
@@ -86,10 +89,10 @@ inline Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const d
   for(Separate_body_3& body : bodies)
   {
     body.surface.cells = &body.cells;
-    Found_polycubes_3 found = map_to_polycube_3({ body.surface, {}, spacing }, budget);
-    if(found.status != OK)
-      return { found.status };
-    std::vector<Vector_3>& part = found.candidates.front().map.images;
+    Surface_map_3 map = map_body(body.surface);
+    if(map.status != OK)
+      return { map.status };
+    std::vector<Vector_3>& part = map.images;
     const Box_3 box = bounding_box(part);
     const auto meets = [&](const Box_3& other)
     { return (box.smallest.cwiseMax(other.smallest) - box.largest.cwiseMin(other.largest)).maxCoeff() <= 0; };

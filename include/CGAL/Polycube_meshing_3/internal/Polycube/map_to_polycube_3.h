@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Surface_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
@@ -24,9 +25,6 @@
 #include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -75,24 +73,6 @@ struct Polycube_problem_3
   bool do_find_axes = false; // may the surface be turned, if it has no labels, and the polycube be moved to be close to it?
   bool may_split = false;    // may edges of the surface be split for a better map?
 };
-
-// Map of a surface: if the status is OK, the images of its vertices, their distortion, if others are compared with it, and the
-// edges that were split for the map one after the other, each at its midpoint. The new points come behind all others.
-struct Surface_map_3
-{
-  Error_code status = ERROR_NO_POLYCUBE;
-  std::vector<Vector_3> images = {};
-  double distortion = (std::numeric_limits<double>::infinity)();
-  std::vector<std::array<std::size_t, 2> > splits = {};
-};
-
-// Returns what a polycube costs: the distortion, times the third root of the factor by which splits multiply the vertices. So
-// voxels, with a usual factor of 2.4, must have three quarters of the distortion of others: they multiply the cells inside.
-inline double cost_of_polycube(const Surface_map_3& map)
-{
-  const double n = static_cast<double>(map.images.size()), given = n - static_cast<double>(map.splits.size());
-  return map.distortion * std::cbrt(n / given);
-}
 
 // Polycube that a surface is mapped to, after it has been turned about the center of its bounding box.
 struct Polycube_candidate_3

@@ -76,13 +76,18 @@ inline Found_polycubes_3 map_in_frames_3(const std::vector<Turned_surface_3>& fr
   const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // three frames have enough labels with fewer of each
   const Error_code kind = check_sphere(frames.front().mesh);
   const bool is_connected = kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+  const auto map_body = [&](const Numbered_surface_3& body)
+  {
+    const Found_polycubes_3 found = map_to_polycube_3({ body, {}, frames.front().spacing }, budget);
+    return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
+  };
   const std::array<Polycube_strategy_3, 4> strategies = {{
     { "labels", true, true, 0,
       [&](const Turned_surface_3& frame) { return Search_for_polycube_3(frame, factor, budget).run(); } },
     { "bounding box", kind == OK, false, 0.5,
       [&](const Turned_surface_3& frame) { return map_to_bounding_box_3(frame, budget); } },
     { "bodies side by side", !is_connected, false, (std::numeric_limits<double>::infinity)(),
-      [&](const Turned_surface_3& frame) { return map_bodies_apart_3(frame.surface, frame.spacing, budget); } },
+      [&](const Turned_surface_3& frame) { return map_bodies_apart_3(frame.surface, frame.spacing, map_body); } },
     { "voxels", is_connected && may_split, false, 0.8,
       [&](const Turned_surface_3& frame) { return map_to_voxels_3(frame, budget); } }
   }};
