@@ -105,13 +105,15 @@ inline void print(const PM::Hexahedral_mesh_result& result)
   std::cout << result.number_of_cells << " hexahedra, scaled Jacobian: minimal " << result.minimum_scaled_jacobian
             << ", mean " << result.mean_scaled_jacobian << "; largest distance of the boundaries " << result.boundary_distance
             << "\n";
-  if(result.volumes.size() > 1)
+  const bool has_subdomains = result.volumes.size() > 1;
+  for(const PM::Subdomain_volumes& volumes : result.volumes)
   {
-    for(const PM::Subdomain_volumes& volumes : result.volumes)
-      std::cout << "subdomain " << volumes.reference << ": volume " << volumes.of_tetrahedra << ", of hexahedra "
-                << volumes.of_hexahedra << "\n";
-    std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
+    if(has_subdomains)
+      std::cout << "subdomain " << volumes.reference << ": ";
+    std::cout << "volume " << volumes.of_tetrahedra << ", of hexahedra " << volumes.of_hexahedra << "\n";
   }
+  if(has_subdomains)
+    std::cout << "largest distance of interfaces " << result.interface_distance << "\n";
   const std::string success = VMP::get_error_message(VMP::OK);
   if(result.status == VMP::OK && result.message.size() > success.size())
     std::cout << result.message.substr(success.size() + 1) << "\n"; // sentences on interfaces

@@ -179,8 +179,10 @@ step takes time linear in the number of hexahedra, plus the solution of a sparse
 \return the status with its place, the scaled Jacobians, volumes and distances. The status is one of the following.
 - `OK`: the mesh is valid.
 - `ERROR_POOR_HEXAHEDRON`: the mesh is valid and written, but a scaled Jacobian is below the bound.
-- `ERROR_INCOMPLETE_HEXAHEDRA`: the mesh is valid and written, but a subdomain has no hexahedron. Or the boundaries are farther
-  apart than an edge of a hexahedron or a tenth of the diagonal of the body.
+- `ERROR_INCOMPLETE_HEXAHEDRA`: the mesh is valid and written, but deviates from the body. The boundaries are farther apart than
+  half an edge of a hexahedron or a tenth of the diagonal of the body. Or an interface that hexahedra follow is farther away than
+  half an edge. Or a subdomain of several has no hexahedron, or hexahedra follow its interfaces and its volume differs by more
+  than 2 %.
 - `ERROR_INVERTED_HEXAHEDRON`: the Jacobian determinant of a hexahedron is not positive everywhere.
 - `ERROR_INTERRUPTED`: the computation was ended early. If `Hexahedral_mesh_result::has_valid_mesh` is set, the mesh is written.
   With the other values for a valid mesh, `Hexahedral_mesh_result::is_interrupted` tells whether it was ended early.

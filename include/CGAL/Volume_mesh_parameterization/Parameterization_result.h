@@ -68,7 +68,7 @@ enum Error_code
   ERROR_DOMAIN_NOT_AXIS_PARALLEL,    ///< a boundary facet of the domain of hexahedra is not orthogonal to an axis
   ERROR_INVERTED_HEXAHEDRON,         ///< the Jacobian determinant of a hexahedron is not positive all over it
   ERROR_POOR_HEXAHEDRON,             ///< the hexahedra are valid, but a scaled Jacobian is below the bound
-  ERROR_INCOMPLETE_HEXAHEDRA         ///< the hexahedra are valid, but leave out a subdomain or a part of the body
+  ERROR_INCOMPLETE_HEXAHEDRA         ///< the hexahedra are valid, but deviate from the body or its subdomains
 };
 
 /*!
@@ -141,8 +141,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_POOR_HEXAHEDRON:
       return "The hexahedra are valid, but the scaled Jacobian of one is below the bound.";
     case ERROR_INCOMPLETE_HEXAHEDRA:
-      return "The hexahedra are valid, but leave out a part of the body. Map the body with less distortion there, or to a "
-             "domain that has this part. If the part is thinner than the spacing, make the spacing smaller.";
+      return "The hexahedra are valid, but deviate from the body. Make the spacing smaller, or map the body with less "
+             "distortion there. If the domain lacks a part of the body, choose another domain.";
   }
   return "Unknown error code.";
 }

@@ -5,6 +5,7 @@
 
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/found_hexahedra_3.h>
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
 #include <CGAL/Volume_mesh_parameterization/IO/VTU.h>
 
@@ -271,6 +272,30 @@ TEST_CASE("Staircases do not replace valid hexahedra if a subdomain loses much o
   fitted.result.has_valid_mesh = false;
   fitted.result.number_of_inverted_corners = 1;
   CHECK(is_better_as_staircases(staircases, fitted));
+}
+
+TEST_CASE("Hexahedra that deviate from subdomains, interfaces or the boundary are incomplete unless staircases are asked for")
+{
+  using namespace PM::internal;
+  const Body body = layered_box();
+  const Mapped_soup_3 soup(body.soup, body.images);
+  const Body_with_domain_3 with_domain(soup, false);
+  const auto status = [&](const double volume, const double distance, const Staircases staircases)
+  {
+    Hexahedral_mesh_result result;
+    result.message = "Success. More.";
+    result.volumes = {{1, 20, 40 - volume}, {2, 20, volume}};
+    check_completeness(with_domain, { distance, { 1, 2, 3 } }, 0.5, 1, staircases, result);
+    CHECK((result.status == VMP::OK) == (result.message == "Success. More."));
+    CHECK((result.status == VMP::OK || result.message.find("Success") == std::string::npos));
+    return result.status;
+  };
+  CHECK(status(19.7, 0.24, Staircases::NONE) == VMP::OK);
+  CHECK(status(19.5, 0.24, Staircases::NONE) == VMP::ERROR_INCOMPLETE_HEXAHEDRA);
+  CHECK(status(20.5, 0.24, Staircases::BETTER) == VMP::ERROR_INCOMPLETE_HEXAHEDRA);
+  CHECK(status(19.5, 0.24, Staircases::ASKED) == VMP::OK);
+  CHECK(status(0, 0.24, Staircases::ASKED) == VMP::ERROR_INCOMPLETE_HEXAHEDRA);
+  CHECK(status(20, 0.26, Staircases::ASKED) == VMP::ERROR_INCOMPLETE_HEXAHEDRA);
 }
 
 TEST_CASE("Vertices of the boundary stay on it where an interface between hexahedra ends there and that of the body does not")

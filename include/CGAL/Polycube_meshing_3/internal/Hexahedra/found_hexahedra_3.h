@@ -45,6 +45,19 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
   }
 }
 
+// Parts of an edge of hexahedra and of the volume of a subdomain: a larger deviation from the body is an error. Both are guesses.
+constexpr double largest_part_of_edge = 0.5, largest_part_of_volume = 0.02;
+
+// Makes the result an error that names where hexahedra deviate from the body.
+inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& result)
+{
+  const std::string error = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA);
+  result.message = result.status == ERROR_INCOMPLETE_HEXAHEDRA ? result.message + sentences
+                 : result.status == OK ? error + sentences + result.message.substr(std::string(get_error_message(OK)).size())
+                                       : error + sentences + " " + result.message;
+  result.status = ERROR_INCOMPLETE_HEXAHEDRA;
+}
+
 // Measures how well interfaces are kept, and adds sentences if they are not.
 inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
                                 Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
@@ -57,11 +70,15 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
   const double edge = std::sqrt(area / static_cast<double>(quadrangles.size()));
   if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
     return;
+  const std::string distance = sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
+                                        " of the edges there. The distance is largest at ", describe(farthest.point), ".");
+  if(farthest.distance > largest_part_of_edge * edge)
+    add_deviation(distance, result);
+  else
+    result.message += distance;
   if(staircases == Staircases::BETTER)
     result.message += " Interfaces between subdomains are staircases, because hexahedra that follow them would be inverted or "
       "of lower quality.";
-  result.message += sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
-                             " of the edges there. The distance is largest at ", describe(farthest.point), ".");
 }
 
 // Returns the volume of the trilinear image of a cube, by the divergence theorem: the part of a bilinear quadrangle is the mean
@@ -102,10 +119,11 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_doma
   return result;
 }
 
-// Names the place if a part of the body is left out: a subdomain, or what is farther from the hexahedra than their edges are long.
-// Few hexahedra have long edges. Therefore, the distance is also compared with the body.
+// Names the place if the hexahedra deviate from the body: if a boundary is farther than half an edge from the other, or a subdomain
+// of several has no hexahedron or another volume. Few hexahedra have long edges. Therefore, the distance is also compared with the
+// body.
 inline void check_completeness(const Body_with_domain_3& body, const Largest_distance_3& farthest, const double edge,
-                               const double spacing, Hexahedral_mesh_result& result)
+                               const double spacing, const Staircases staircases, Hexahedral_mesh_result& result)
 {
   constexpr double large_part = 0.1; // a guess; of the diagonal of the body
   Box_3 source, image;
@@ -116,23 +134,25 @@ inline void check_completeness(const Body_with_domain_3& body, const Largest_dis
       image.extend(body.images[v]);
     }
   std::string missing;
-  if(farthest.distance > (std::min)(edge, large_part * source.diagonal().norm()))
+  if(farthest.distance > (std::min)(largest_part_of_edge * edge, large_part * source.diagonal().norm()))
     missing = sentence(" The boundaries of hexahedra and body are ", farthest.distance, " apart at ", describe(farthest.point),
                        ", where an edge of a hexahedron is about ", edge, " long. The spacing is ", spacing,
                        " in a domain with the sides ", describe(image.diagonal()), ".");
   for(const Subdomain_volumes& volumes : result.volumes)
-    if(volumes.of_hexahedra == 0)
-    {
-      const std::vector<int>& references = body.soup.cell_references;
-      const auto first = std::find(references.begin(), references.end(), volumes.reference) - references.begin();
-      missing += sentence(" Subdomain ", volumes.reference, " at ", describe(body.points[body.soup.cells[first][0]]),
-                          ", has no hexahedron.");
-    }
-  if(missing.empty())
-    return;
-  result.message = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA) + missing
-                   + (result.status == OK ? "" : " " + result.message);
-  result.status = ERROR_INCOMPLETE_HEXAHEDRA;
+  {
+    const double deviation = std::abs(volumes.of_hexahedra / volumes.of_tetrahedra - 1);
+    const bool may_deviate = staircases == Staircases::ASKED || result.volumes.size() == 1;
+    if(volumes.of_hexahedra != 0 && (may_deviate || !(deviation > largest_part_of_volume)))
+      continue;
+    const std::vector<int>& references = body.soup.cell_references;
+    const auto first = std::find(references.begin(), references.end(), volumes.reference) - references.begin();
+    const std::string place = describe(body.points[body.soup.cells[first][0]]);
+    missing += volumes.of_hexahedra == 0 ? sentence(" Subdomain ", volumes.reference, " at ", place, ", has no hexahedron.")
+      : sentence(" Subdomain ", volumes.reference, " at ", place, ", has the volume ", volumes.of_tetrahedra,
+                 ", and its hexahedra have ", volumes.of_hexahedra, ".");
+  }
+  if(!missing.empty())
+    add_deviation(missing, result);
 }
 
 // Returns the area, center and normal of the quadrangles with each reference.
@@ -214,7 +234,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   check_quality(mesh, problem.minimum_scaled_jacobian, result);
   if(result.status != OK)
     result.message += advice_3(body, mesh);
-  check_completeness(body, farthest, best.edge, problem.spacing, result);
+  check_completeness(body, farthest, best.edge, problem.spacing, best.staircases, result);
   evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
