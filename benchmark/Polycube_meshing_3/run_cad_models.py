@@ -7,8 +7,9 @@ The models are for example those of HexMe (github.com/cgg-bern/hex-me-if-you-can
 of the bounding box, and all curves of the model are marked edges. The spacing of hexahedra is a 40th of the diagonal. A line is
 printed for each model: the numbers of tetrahedra and hexahedra, the minimal and mean scaled Jacobian, the corners, curves and
 surfaces of the model that are kept, the seconds of processor time, and how the driver ended. A corner is kept if a vertex of the
-hexahedra is near it, a curve if edges of quadrangles on the boundary are near all its points, and a surface if its curves are kept
-and a quadrangle has its reference. Near is a tenth of the spacing. The files that are written are read again, and the exit status
+hexahedra is near it, a curve if edges of quadrangles on the boundary are near all its points, and a surface if its curves are
+kept and a quadrangle has its reference. Seams, which have one surface on both sides, do not count. Near is a tenth of the
+spacing. The files that are written are read again, and the exit status
 is 1 if a hexahedron in one of them is not positive all over it.
 """
 import argparse
@@ -97,6 +98,12 @@ def kept_features(source, hexahedra, distance):
         triangle = sorted(int(x) - 1 for x in row[:3])
         curves_of_surface[row[3]].update(curves_of_edge[edge] for edge in itertools.combinations(triangle, 2)
                                          if edge in curves_of_edge)
+    seams = {curve for curve in curves if sum(curve in around for around in curves_of_surface.values()) < 2}
+    for seam in seams:
+        del curves[seam]
+    for around in curves_of_surface.values():
+        around -= seams
+    kept_curves -= seams
     references = {row[4] for row in of_hexahedra["Quadrilaterals"]}
     kept_surfaces = [surface for surface, around in curves_of_surface.items()
                      if surface in references and around <= kept_curves]

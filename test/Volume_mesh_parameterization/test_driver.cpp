@@ -336,7 +336,9 @@ const std::vector<std::string> report_keys = {
 const std::vector<std::string> hexahedra_keys = {
   "hexahedra", "status", "status_code", "vertices", "boundary_vertices", "cells", "inverted_corners", "inverted_hexahedra",
   "padding", "minimum_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "subdomains", "volumes_of_tetrahedra",
-  "volumes_of_hexahedra", "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals"};
+  "volumes_of_hexahedra", "interface_distance", "patches", "references", "quadrangles", "areas", "centers", "normals",
+  "features", "corners", "corners_kept", "corners_given_up", "curves", "curves_kept", "curves_given_up", "patches", "patches_kept",
+  "patches_given_up"};
 
 // Returns the keys of a report with other ones, which come before the steps.
 std::vector<std::string> report_keys_with(const std::vector<std::string>& others)
@@ -890,8 +892,8 @@ TEST_CASE("Sharp edges that a polycube gives up are counted, and their place is 
   const std::string diagonal = vertex(1, 1) + " " + vertex(2, 2) + "\n" + vertex(2, 2) + " " + vertex(3, 3) + "\n";
   folder.write("diagonal.feat", diagonal + vertex(1, 0) + " " + vertex(2, 0) + "\n");
   REQUIRE(folder.run("source.mesh --to polycube --refine=none --features diagonal.feat --report report.json") == 0);
-  CHECK(folder.text("stderr").find("2 of 3 sharp edges follow no axis of the polycube, in 1 line. Hexahedra do not follow these "
-                                   "edges. The longest line goes through (2, 2, 4)") != std::string::npos);
+  CHECK(folder.text("stderr").find("2 of 3 sharp edges follow no axis of the polycube, in 1 line. The longest line "
+                                   "goes through (2, 2, 4)") != std::string::npos);
   CHECK(folder.text("report.json").find("\"sharp_edges_given_up\": 2, \"features_given_up\": [2, 2, 4]") != std::string::npos);
   REQUIRE(folder.run("source.mesh --to polycube --refine=none --report report.json") == 0);
   CHECK(folder.text("stderr").find("sharp edges follow") == std::string::npos);

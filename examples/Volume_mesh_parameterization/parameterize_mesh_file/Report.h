@@ -135,6 +135,23 @@ inline JSON_object json(const std::vector<PM::Hexahedral_mesh_patch>& patches)
                       .add("centers", centers).add("normals", normals);
 }
 
+inline JSON_object json(const PM::Hexahedral_mesh_features& features)
+{
+  const auto coordinates = [](const std::vector<std::array<double, 3> >& points)
+  {
+    std::vector<double> result;
+    for(const std::array<double, 3>& p : points)
+      result.insert(result.end(), p.begin(), p.end());
+    return result;
+  };
+  return JSON_object().add("corners", features.number_of_corners).add("corners_kept", features.number_of_corners_kept)
+                      .add("corners_given_up", coordinates(features.corners_given_up))
+                      .add("curves", features.number_of_curves).add("curves_kept", features.number_of_curves_kept)
+                      .add("curves_given_up", coordinates(features.curves_given_up))
+                      .add("patches", features.number_of_patches).add("patches_kept", features.number_of_patches_kept)
+                      .add("patches_given_up", coordinates(features.patches_given_up));
+}
+
 inline JSON_object json(const PM::Hexahedral_mesh_result& result)
 {
   std::vector<double> subdomains, of_tetrahedra, of_hexahedra;
@@ -156,7 +173,7 @@ inline JSON_object json(const PM::Hexahedral_mesh_result& result)
                       .add("boundary_distance", result.boundary_distance)
                       .add("subdomains", subdomains).add("volumes_of_tetrahedra", of_tetrahedra)
                       .add("volumes_of_hexahedra", of_hexahedra).add("interface_distance", result.interface_distance)
-                      .add("patches", json(result.patches));
+                      .add("patches", json(result.patches)).add("features", json(result.features));
 }
 
 inline std::string list(const std::vector<std::string>& names)

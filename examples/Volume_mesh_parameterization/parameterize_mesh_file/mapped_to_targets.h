@@ -215,7 +215,7 @@ inline std::string note_of_features_given_up(const PM::Polycube_result& polycube
   std::ostringstream result;
   result << polycube.number_of_edges_given_up() << " of " << polycube.number_of_sharp_edges
          << " sharp edges follow no axis of the polycube, in " << counted(lines, "line", "lines")
-         << ". Hexahedra do not follow these edges. The longest line goes through (" << x << ", " << y << ", " << z << ")";
+         << ". The longest line goes through (" << x << ", " << y << ", " << z << ")";
   return result.str();
 }
 

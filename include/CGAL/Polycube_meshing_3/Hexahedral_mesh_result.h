@@ -56,6 +56,26 @@ struct Hexahedral_mesh_patch
 /*!
 \ingroup PkgPolycubeMeshing3Hexahedra
 
+The corners, curves and patches of the boundary of a body that hexahedra keep. Curves are sharp edges; patches are the parts of the
+boundary between them. A corner is kept if it is a vertex, a curve if edges of hexahedra follow it, and a patch if its curves are
+kept and it has quadrangles. Tolerances are a tenth of an edge.
+*/
+struct Hexahedral_mesh_features
+{
+  std::size_t number_of_corners = 0;      ///< corners, where curves meet, end or turn
+  std::size_t number_of_corners_kept = 0; ///< corners that are kept
+  std::size_t number_of_curves = 0;       ///< curves
+  std::size_t number_of_curves_kept = 0;  ///< curves that are kept
+  std::size_t number_of_patches = 0;      ///< patches
+  std::size_t number_of_patches_kept = 0; ///< patches that are kept
+  std::vector<std::array<double, 3> > corners_given_up = {}; ///< the corners that are not kept
+  std::vector<std::array<double, 3> > curves_given_up = {};  ///< a point of each curve that is not kept
+  std::vector<std::array<double, 3> > patches_given_up = {}; ///< a point of each patch that is not kept
+};
+
+/*!
+\ingroup PkgPolycubeMeshing3Hexahedra
+
 The result of `make_hexahedral_mesh_3()`.
 
 The scaled Jacobian of a corner of a hexahedron is the determinant of its three edges, divided by their lengths. It is 1 if the
@@ -92,6 +112,7 @@ struct Hexahedral_mesh_result
   /// the marked corners on the boundary of the body that are no vertices of the mesh; none if there is no valid mesh. There was no
   /// free vertex near the corner, or hexahedra were inverted or poor there.
   std::vector<std::array<double, 3> > corners_given_up;
+  Hexahedral_mesh_features features; ///< the features of the boundary; none if there is no valid mesh
 };
 
 } // namespace CGAL::Polycube_meshing_3

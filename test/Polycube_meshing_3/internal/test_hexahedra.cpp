@@ -1421,3 +1421,37 @@ TEST_CASE("Hexahedra that are too few for the shape of the body are incomplete")
   CHECK(coarse.message.find("The spacing is 8 in a domain with the sides (8, 8, 8).") != std::string::npos);
   CHECK(ball.mesh(4, mesh).status == VMP::OK);
 }
+
+// The top of a cube is a ridge along the diagonal, which follows no axis: four curves meet at both of its ends.
+TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those that follow no axis")
+{
+  const Body body(6, 0, [](const Vector3d& p) -> Vector3d
+                  { return { p[0], p[1], p[2] * (1 - 0.08 * std::abs(p[0] - p[1])) }; });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = body.mesh(1, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  REQUIRE(result.status == VMP::OK);
+  check_boundary(mesh, body);
+  const PM::Hexahedral_mesh_features& features = result.features;
+  CHECK(features.number_of_corners == 8);
+  CHECK(features.number_of_curves == 13);
+  CHECK(features.number_of_patches == 7);
+  CHECK(features.number_of_corners_kept == 8);
+  CHECK(features.number_of_curves_kept == 13);
+  CHECK(features.number_of_patches_kept == 7);
+  CHECK(result.minimum_scaled_jacobian > 0.1);
+  CHECK(enclosed_volume(mesh) == Approx(36 * 6 - 36 * 6 * 0.08 * 2).epsilon(1e-9)); // the mean of |x - y| is 2
+}
+
+TEST_CASE("The message and the result name a feature without room in the hexahedra")
+{
+  const Body body(8, 0, [](const Vector3d& p) -> Vector3d
+                  { return { p[0], p[1], p[2] + (p[0] == 4 && p[1] == 4 && p[2] == 8 ? 2. : 0.) }; }); // a small pyramid
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = body.mesh(8, mesh);
+  CAPTURE(result.message);
+  REQUIRE(result.has_valid_mesh);
+  CHECK(result.features.number_of_corners_kept < result.features.number_of_corners);
+  REQUIRE(!result.features.curves_given_up.empty());
+  CHECK(result.message.find(" curves and ") != std::string::npos);
+}

@@ -14,6 +14,7 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Box_grid_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Subdomain_separation_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/hexahedra_with_features_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Interface_quadrangles_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/layers_at_interfaces.h>
@@ -146,6 +147,8 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
+  if(best.result.has_valid_mesh)
+    best = hexahedra_with_features_3(problem, body, std::move(best), interfaces.empty(), budget);
   put_on_planes(body.surface, best.mesh);
   return found_hexahedra_3(problem, body, interfaces, best, budget);
 }

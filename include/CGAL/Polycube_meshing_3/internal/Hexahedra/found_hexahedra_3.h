@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_with_domain_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/hexahedra_with_features_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
@@ -119,9 +120,9 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_doma
   return result;
 }
 
-// Names the place if the hexahedra deviate from the body: if a boundary is farther than half an edge from the other, or a subdomain
-// of several has no hexahedron or another volume. Few hexahedra have long edges. Therefore, the distance is also compared with the
-// body.
+// Names the place if the hexahedra deviate from the body: if a boundary is farther than half an edge from the other, or a
+// subdomain of several has no hexahedron or another volume. Few hexahedra have long edges. Therefore, the distance is also
+// compared with the body.
 inline void check_completeness(const Body_with_domain_3& body, const Largest_distance_3& farthest, const double edge,
                                const double spacing, const Staircases staircases, Hexahedral_mesh_result& result)
 {
@@ -146,9 +147,9 @@ inline void check_completeness(const Body_with_domain_3& body, const Largest_dis
       continue;
     const std::vector<int>& references = body.soup.cell_references;
     const auto first = std::find(references.begin(), references.end(), volumes.reference) - references.begin();
-    const std::string place = describe(body.points[body.soup.cells[first][0]]);
-    missing += volumes.of_hexahedra == 0 ? sentence(" Subdomain ", volumes.reference, " at ", place, ", has no hexahedron.")
-      : sentence(" Subdomain ", volumes.reference, " at ", place, ", has the volume ", volumes.of_tetrahedra,
+    const std::string position = describe(body.points[body.soup.cells[first][0]]);
+    missing += volumes.of_hexahedra == 0 ? sentence(" Subdomain ", volumes.reference, " at ", position, ", has no hexahedron.")
+      : sentence(" Subdomain ", volumes.reference, " at ", position, ", has the volume ", volumes.of_tetrahedra,
                  ", and its hexahedra have ", volumes.of_hexahedra, ".");
   }
   if(!missing.empty())
@@ -236,6 +237,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
     result.message += advice_3(body, mesh);
   check_completeness(body, farthest, best.edge, problem.spacing, best.staircases, result);
   evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
+  result.message += sentence_on_features(result.features);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
     result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),
@@ -249,6 +251,7 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   Found_hexahedra_3 found;
   Hexahedral_mesh_result& result = found.result;
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
+  result.features = best.result.features;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
     evaluate(problem, body, interfaces, best, found);

@@ -19,12 +19,12 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the axis that a quadrangle of the boundary of the domain is orthogonal to.
+// Returns the axis that a quadrangle of the boundary of the domain is orthogonal to; 3 if there is none, as in a body.
 inline int axis_of_facet(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& facet)
 {
   int axis = 0;
   const auto is_in_plane = [&](const std::size_t v) { return points[v][axis] == points[facet[0]][axis]; };
-  while(!std::all_of(facet.begin(), facet.end(), is_in_plane))
+  while(axis < 3 && !std::all_of(facet.begin(), facet.end(), is_in_plane))
     ++axis;
   return axis;
 }
@@ -104,8 +104,8 @@ private:
       for(const std::size_t v : m_domain.facets[f])
         if(const auto found = m_copies.find({ v, m_parts[m_domain.facet_cells[f]] }); found != m_copies.end() && !is_covered(f))
         {
-          const int axis = axis_of_facet(m_domain.points, m_domain.facets[f]);
-          m_result.points[found->second][axis] = m_domain.points[v][axis];
+          if(const int axis = axis_of_facet(m_domain.points, m_domain.facets[f]); axis < 3)
+            m_result.points[found->second][axis] = m_domain.points[v][axis];
         }
   }
 

@@ -1,0 +1,312 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_BODY_COMPLEX_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_BODY_COMPLEX_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Body_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+#include <memory>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Curve through points, by the length from its first point.
+class Polyline_3
+{
+public:
+  explicit Polyline_3(std::vector<Vector_3> points) : m_points(std::move(points)), m_lengths{ 0 }
+  {
+    for(std::size_t i = 1; i < m_points.size(); ++i)
+      m_lengths.push_back(m_lengths.back() + (m_points[i] - m_points[i - 1]).norm());
+  }
+
+  const std::vector<Vector_3>& points() const { return m_points; }
+  double length() const { return m_lengths.back(); }
+
+  Vector_3 point(const double length) const
+  {
+    const std::size_t next = std::clamp<std::size_t>(
+      std::upper_bound(m_lengths.begin(), m_lengths.end(), length) - m_lengths.begin(), 1, m_points.size() - 1);
+    const double part = (length - m_lengths[next - 1]) / (m_lengths[next] - m_lengths[next - 1]);
+    return m_points[next - 1] + std::clamp(part, 0., 1.) * (m_points[next] - m_points[next - 1]);
+  }
+
+  // Returns the distance of a point, and the length at which the curve is nearest to it.
+  std::pair<double, double> nearest(const Vector_3& p) const
+  {
+    std::pair<double, double> result = { (std::numeric_limits<double>::infinity)(), 0 };
+    for(std::size_t i = 1; i < m_points.size(); ++i)
+    {
+      const Vector_3 way = m_points[i] - m_points[i - 1];
+      const double part = std::clamp(way.dot(p - m_points[i - 1]) / way.squaredNorm(), 0., 1.);
+      result = (std::min)(result, { (m_points[i - 1] + part * way - p).norm(), m_lengths[i - 1] + part * way.norm() });
+    }
+    return result;
+  }
+
+private:
+  std::vector<Vector_3> m_points;
+  std::vector<double> m_lengths;
+};
+
+// Part of a curve of the body between two corners of its complex, and the patches on its left and right, seen from outside.
+struct Arc_3
+{
+  std::size_t curve;
+  std::vector<std::size_t> vertices;
+  std::array<std::size_t, 2> patches;
+};
+
+// End of an arc: its first vertex or its last one.
+struct End_of_arc_3
+{
+  std::size_t arc, side;
+};
+
+// Corner of the complex, with the arcs that end there, counterclockwise as seen from outside.
+struct Corner_3
+{
+  std::size_t vertex;
+  bool is_of_body; // or is only a cut of a closed curve?
+  std::vector<End_of_arc_3> ends = {};
+};
+
+// Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
+// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs.
+class Body_complex_3
+{
+public:
+  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points)
+    : m_points(points), m_facets(boundary_facets_3(soup.cells))
+  {
+    const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
+    find_patches(std::set<Edge>(edges.begin(), edges.end()));
+    find_arcs(edges, soup);
+    collect_ends();
+    find_surfaces();
+  }
+
+  bool is_manifold() const { return m_is_manifold; }
+  std::size_t number_of_patches() const { return m_surfaces.size(); }
+  std::size_t number_of_curves() const { return m_number_of_curves; }
+  const std::vector<Vector_3>& points() const { return m_points; }
+  const std::vector<Arc_3>& arcs() const { return m_arcs; }
+  const std::vector<Corner_3>& corners() const { return m_corners; }
+  const Polyline_3& line(const std::size_t arc) const { return m_lines[arc]; }
+  const Body_surface_3& surface(const std::size_t patch) const { return *m_surfaces[patch]; }
+
+  // Returns the corner where an arc ends.
+  std::size_t corner(const End_of_arc_3& end) const { return m_corners_of_arcs[end.arc][end.side]; }
+
+  std::size_t patch_of_facet(const std::array<std::size_t, 3>& facet) const { return patch_on_left(facet[0], facet[1]); }
+
+  // Returns the center of the largest facet of a patch.
+  Vector_3 point_in_patch(const std::size_t patch) const
+  {
+    std::pair<double, std::size_t> largest = { -1, 0 };
+    const auto position = [&](const std::size_t v) { return m_points[v]; };
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      if(m_patches[f] == patch)
+        largest = (std::max)(largest, { area_of_facet(edges_of_facet(m_facets[f], position)), f });
+    const auto& [a, b, c] = m_facets[largest.second];
+    return (m_points[a] + m_points[b] + m_points[c]) / 3;
+  }
+
+  // Returns the facets of patches.
+  std::vector<std::array<std::size_t, 3> > facets_of(const std::set<std::size_t>& patches) const
+  {
+    std::vector<std::array<std::size_t, 3> > result;
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      if(patches.count(m_patches[f]) > 0)
+        result.push_back(m_facets[f]);
+    return result;
+  }
+
+private:
+  using Edge = std::array<std::size_t, 2>;
+
+  // Joins facets across edges that are not sharp, and finds the facet on the left of each directed edge.
+  void find_patches(const std::set<Edge>& sharp)
+  {
+    Disjoint_sets sets(m_facets.size());
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      m_is_manifold = m_is_manifold && end - begin == 2;
+      if(sharp.count(begin->first) == 0)
+        for(auto it = begin + 1; it != end; ++it)
+          sets.unite(begin->second[0] / 3, it->second[0] / 3);
+    });
+    m_patches = sets.numbers();
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      for(std::size_t i = 0; i < 3; ++i)
+        m_left[{ m_facets[f][i], m_facets[f][(i + 1) % 3] }] = f;
+  }
+
+  std::size_t patch_on_left(const std::size_t v, const std::size_t w) const
+  {
+    const auto found = m_left.find({ v, w });
+    return found == m_left.end() ? 0 : m_patches[found->second];
+  }
+
+  // Makes arcs of sharp edges between different patches.
+  void find_arcs(const std::vector<Edge>& edges, const Mapped_soup_3& soup)
+  {
+    std::map<Edge, int> references;
+    for(std::size_t e = 0; e < soup.edges.size(); ++e)
+      references.emplace(sorted(soup.edges[e]), soup.edge_references.empty() ? 0 : soup.edge_references[e]);
+    const auto reference = [&](const std::size_t v, const std::size_t w)
+    {
+      const auto found = references.find(sorted(Edge{ v, w }));
+      return found == references.end() ? 0 : found->second;
+    };
+    std::map<std::size_t, int> number_at; // of sharp edges, also of seams
+    std::map<std::size_t, std::vector<std::size_t> > next;
+    for(const auto& [v, w] : edges)
+    {
+      ++number_at[v];
+      ++number_at[w];
+      if(patch_on_left(v, w) == patch_on_left(w, v))
+        continue;
+      next[v].push_back(w);
+      next[w].push_back(v);
+    }
+    const std::set<std::size_t> marked(soup.corners.begin(), soup.corners.end());
+    std::set<std::size_t> corners;
+    for(const auto& [v, around] : next)
+    {
+      const auto direction = [&, v = v](const std::size_t w) { return (m_points[w] - m_points[v]).stableNormalized(); };
+      const auto turns = [&, v = v](const std::size_t w, const std::size_t x)
+      {
+        return reference(v, w) != reference(v, x)
+          || (reference(v, w) == 0 && -direction(w).dot(direction(x)) < cosine_of_smooth_turn());
+      };
+      if(around.size() != 2 || number_at[v] != 2 || marked.count(v) > 0 || turns(around[0], around[1]))
+        corners.insert(v);
+    }
+    std::set<Edge> used;
+    const auto follow = [&](const std::size_t first, const std::size_t second)
+    {
+      std::vector<std::size_t> vertices = { first, second };
+      used.insert(sorted(Edge{ first, second }));
+      while(corners.count(vertices.back()) == 0 && vertices.back() != first)
+      {
+        const std::vector<std::size_t>& around = next[vertices.back()];
+        vertices.push_back(around[0] == vertices[vertices.size() - 2] ? around[1] : around[0]);
+        used.insert(sorted(Edge{ vertices[vertices.size() - 2], vertices.back() }));
+      }
+      add_curve(vertices);
+    };
+    const auto follow_all = [&](const std::size_t v, const std::vector<std::size_t>& around)
+    {
+      for(const std::size_t w : around)
+        if(used.count(sorted(Edge{ v, w })) == 0)
+          follow(v, w);
+    };
+    for(const std::size_t v : corners)
+      follow_all(v, next[v]);
+    for(const auto& [v, around] : next) // of closed curves without a corner
+      follow_all(v, around);
+    for(std::size_t a = 0; a < m_arcs.size(); ++a)
+      for(const std::size_t v : { m_arcs[a].vertices.front(), m_arcs[a].vertices.back() })
+        if(m_numbers.emplace(v, m_corners.size()).second)
+          m_corners.push_back({ v, corners.count(v) > 0 });
+  }
+
+  // Adds a curve; cuts a closed one into three arcs of like lengths.
+  void add_curve(const std::vector<std::size_t>& vertices)
+  {
+    const std::size_t n = vertices.size() - 1, number_of_arcs = vertices.front() == vertices.back() && n >= 3 ? 3 : 1;
+    std::vector<Vector_3> points;
+    for(const std::size_t v : vertices)
+      points.push_back(m_points[v]);
+    const Polyline_3 line(points);
+    double length = 0;
+    Arc_3 arc = { m_number_of_curves, { vertices[0] }, {} };
+    for(std::size_t i = 1, part = 1; i <= n; ++i)
+    {
+      arc.vertices.push_back(vertices[i]);
+      length += (points[i] - points[i - 1]).norm();
+      if(i < n && (part == number_of_arcs || (3 * length < static_cast<double>(part) * line.length()
+                                              && n - i > number_of_arcs - part)))
+        continue;
+      arc.patches = { patch_on_left(arc.vertices[0], arc.vertices[1]), patch_on_left(arc.vertices[1], arc.vertices[0]) };
+      m_arcs.push_back(arc);
+      arc.vertices = { vertices[i] };
+      ++part;
+    }
+    ++m_number_of_curves;
+  }
+
+  // Finds the arcs at each corner, in the order of the facets around it.
+  void collect_ends()
+  {
+    std::map<Edge, End_of_arc_3> ends; // by the first edge, from the corner
+    for(std::size_t a = 0; a < m_arcs.size(); ++a)
+    {
+      const std::vector<std::size_t>& v = m_arcs[a].vertices;
+      ends[{ v[0], v[1] }] = { a, 0 };
+      ends[{ v.back(), v[v.size() - 2] }] = { a, 1 };
+      m_corners_of_arcs.push_back({ m_numbers.at(v.front()), m_numbers.at(v.back()) });
+      std::vector<Vector_3> points;
+      for(const std::size_t w : v)
+        points.push_back(m_points[w]);
+      m_lines.emplace_back(points);
+    }
+    for(Corner_3& corner : m_corners)
+    {
+      const auto begin = ends.lower_bound({ corner.vertex, 0 });
+      std::size_t w = begin->first[1];
+      const std::size_t first = w;
+      do
+      {
+        if(const auto found = ends.find({ corner.vertex, w }); found != ends.end())
+          corner.ends.push_back(found->second);
+        const auto left = m_left.find({ corner.vertex, w });
+        if(left == m_left.end())
+          break;
+        const std::array<std::size_t, 3>& facet = m_facets[left->second];
+        const std::size_t i = std::find(facet.begin(), facet.end(), corner.vertex) - facet.begin();
+        w = facet[(i + 2) % 3];
+      }
+      while(w != first);
+    }
+  }
+
+  void find_surfaces()
+  {
+    const std::size_t n = m_patches.empty() ? 0 : 1 + *std::max_element(m_patches.begin(), m_patches.end());
+    for(std::size_t patch = 0; patch < n; ++patch)
+      m_surfaces.push_back(
+        std::make_unique<Body_surface_3>(m_points, facets_of({ patch }), std::vector<std::array<std::size_t, 2> >()));
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const std::vector<std::array<std::size_t, 3> > m_facets;
+  bool m_is_manifold = true;
+  std::vector<std::size_t> m_patches; // of each facet
+  std::map<Edge, std::size_t> m_left; // facet on the left of a directed edge
+  std::size_t m_number_of_curves = 0;
+  std::vector<Arc_3> m_arcs;
+  std::vector<Polyline_3> m_lines; // of arcs
+  std::vector<Corner_3> m_corners;
+  std::map<std::size_t, std::size_t> m_numbers; // of corners, by their vertices
+  std::vector<std::array<std::size_t, 2> > m_corners_of_arcs;
+  std::vector<std::unique_ptr<Body_surface_3> > m_surfaces; // of patches
+};
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_BODY_COMPLEX_3_H

@@ -1,0 +1,445 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_FEATURE_EMBEDDING_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_FEATURE_EMBEDDING_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Body_complex_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Boundary_graph_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Positions_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Finds vertices for corners, and disjoint paths of edges for arcs, on the boundary of hexahedra. The paths meet at corners in
+// the order of the body. Arcs compete for vertices, whose prices grow as long as several arcs use them (McMurchie and Ebeling,
+// PathFinder, 1995). If that does not end, the curve with the most conflicts is given up. The patches beside it are one region.
+class Feature_embedding_3
+{
+public:
+  Feature_embedding_3(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge)
+    : m_complex(complex), m_mesh(mesh), m_graph(mesh), m_edge(edge), m_is_dropped(complex.arcs().size(), false),
+      m_paths(complex.arcs().size()), m_costs(complex.arcs().size()), m_deviations(complex.number_of_patches()),
+      m_ports(complex.arcs().size(), std::array<std::size_t, 2>{ none, none }), m_corner_at(mesh.points.size(), none)
+  {
+    for(const std::array<std::size_t, 4>& q : mesh.facets)
+    {
+      m_centers.push_back(center_of(mesh.points, q));
+      m_normals.push_back(area_vector(mesh.points, q).stableNormalized());
+    }
+    if(is_possible())
+      assign_corners();
+  }
+
+  bool is_possible() const { return m_complex.is_manifold() && m_graph.is_manifold() && !m_complex.arcs().empty(); }
+
+  // Returns whether each region of quadrangles belongs to one patch of the body, or to patches that are joined.
+  bool run(const Budget& budget) { return is_possible() && find_paths(budget) && find_regions(); }
+
+  // Returns a hexahedron at each corner whose vertex has fewer edges than arcs; no two of them share a vertex of the boundary.
+  std::vector<std::size_t> hexahedra_without_room() const
+  {
+    std::vector<std::size_t> result;
+    std::set<std::size_t> used;
+    for(std::size_t c = 0; c < m_vertices.size(); ++c)
+    {
+      const std::size_t v = m_vertices[c];
+      if(v == none || m_complex.corners()[c].ends.size() <= m_graph.degree(v))
+        continue;
+      const std::size_t f = m_graph.left(m_graph.first(v));
+      const std::array<std::size_t, 4>& q = m_mesh.facets[f];
+      if(std::any_of(q.begin(), q.end(), [&](const std::size_t w) { return used.count(w) > 0; }))
+        continue;
+      used.insert(q.begin(), q.end());
+      result.push_back(m_mesh.facet_cells[f]);
+    }
+    return result;
+  }
+
+  const Boundary_graph_3& graph() const { return m_graph; }
+  bool is_dropped(const std::size_t arc) const { return m_is_dropped[arc]; }
+  const std::vector<std::size_t>& path(const std::size_t arc) const { return m_paths[arc]; } // edges
+  std::size_t vertex(const std::size_t corner) const { return m_vertices[corner]; }
+  std::size_t region(const std::size_t quadrangle) const { return m_regions[quadrangle]; }
+  const std::vector<std::set<std::size_t> >& patches() const { return m_patches; } // of each region
+
+  // Returns whether an arc ends in a corner.
+  bool is_used(const std::size_t corner) const
+  {
+    const std::vector<End_of_arc_3>& ends = m_complex.corners()[corner].ends;
+    return std::any_of(ends.begin(), ends.end(), [&](const End_of_arc_3& end) { return !m_is_dropped[end.arc]; });
+  }
+
+private:
+  static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
+
+  // Returns how far a quadrangle is from a patch, by distance and direction.
+  double deviation(const std::size_t f, const std::size_t patch)
+  {
+    constexpr double largest = 3, weight_of_normal = 0.7; // guesses
+    const auto [found, is_new] = m_deviations[patch].try_emplace(f, 0);
+    if(is_new)
+    {
+      const Body_surface_3& surface = m_complex.surface(patch);
+      const double distance = (surface.nearest(m_centers[f], Freedom_3::SURFACE) - m_centers[f]).norm() / m_edge;
+      found->second = (std::min)(distance, largest) + weight_of_normal * (1 - surface.normal(m_centers[f]).dot(m_normals[f]));
+    }
+    return found->second;
+  }
+
+  double distance(const std::size_t v, const std::size_t arc) const
+  { return m_complex.line(arc).nearest(m_mesh.points[v]).first / m_edge; }
+
+  // Returns the cost of an edge in the path of an arc: its length, the more the farther its ends are from the arc, and the
+  // quadrangles beside it from the patches beside the arc.
+  double cost(const std::size_t e, const std::size_t arc)
+  {
+    const auto [found, is_new] = m_costs[arc].try_emplace(e, 0);
+    if(is_new)
+    {
+      const std::size_t v = m_graph.source(e), w = m_graph.target(e);
+      const double to_v = distance(v, arc), to_w = distance(w, arc);
+      const auto& [left, right] = m_complex.arcs()[arc].patches;
+      const double price = 0.3 + 1.5 * (to_v * to_v + to_w * to_w)
+                           + 0.6 * (deviation(m_graph.left(e), left) + deviation(m_graph.left(m_graph.opposite(e)), right));
+      found->second = 0.05 + price * (m_mesh.points[w] - m_mesh.points[v]).norm() / m_edge;
+    }
+    return found->second;
+  }
+
+  // Returns the arcs that end in a corner and are not given up.
+  std::vector<End_of_arc_3> ends(const std::size_t corner) const
+  {
+    std::vector<End_of_arc_3> result;
+    for(const End_of_arc_3& end : m_complex.corners()[corner].ends)
+      if(!m_is_dropped[end.arc])
+        result.push_back(end);
+    return result;
+  }
+
+  // Returns the patch on the left or right of an arc that leaves a corner.
+  std::size_t patch_beside(const End_of_arc_3& end, const bool is_left) const
+  { return m_complex.arcs()[end.arc].patches[(end.side == 0) != is_left]; }
+
+  // Gives each corner a vertex: by the distance, the number of edges, and the normals of quadrangles around it.
+  void assign_corners()
+  {
+    constexpr std::size_t number_of_candidates = 60; // a guess
+    std::vector<std::size_t> outer;
+    for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
+      if(m_graph.degree(v) > 0)
+        outer.push_back(v);
+    std::vector<std::tuple<double, std::size_t, std::size_t> > pairs;
+    for(std::size_t c = 0; c < m_complex.corners().size(); ++c)
+    {
+      const Vector_3& p = m_complex.points()[m_complex.corners()[c].vertex];
+      const auto is_nearer = [&](const std::size_t v, const std::size_t w)
+      { return (m_mesh.points[v] - p).squaredNorm() < (m_mesh.points[w] - p).squaredNorm(); };
+      const std::size_t n = (std::min)(number_of_candidates, outer.size());
+      std::partial_sort(outer.begin(), outer.begin() + n, outer.end(), is_nearer);
+      for(std::size_t i = 0; i < n; ++i)
+        pairs.emplace_back(cost_of_corner(c, outer[i]), outer[i], c);
+    }
+    m_vertices.assign(m_complex.corners().size(), none);
+    for(const auto& [v, c] : nearest_pairs(std::move(pairs)))
+    {
+      m_vertices[c] = v;
+      m_corner_at[v] = c;
+    }
+    for(std::size_t c = 0; c < m_vertices.size(); ++c)
+      if(m_vertices[c] == none)
+        for(const End_of_arc_3& end : m_complex.corners()[c].ends)
+          give_up(m_complex.arcs()[end.arc].curve);
+  }
+
+  double cost_of_corner(const std::size_t c, const std::size_t v) const
+  {
+    constexpr double price_of_edge = 1.5, price_of_normals = 0.7; // guesses
+    const Corner_3& corner = m_complex.corners()[c];
+    const Vector_3& p = m_complex.points()[corner.vertex];
+    const double missing = static_cast<double>(corner.ends.size()) - static_cast<double>(m_graph.degree(v));
+    double turn = 0;
+    for(const End_of_arc_3& end : corner.ends)
+    {
+      const Vector_3 normal = m_complex.surface(patch_beside(end, true)).normal(p);
+      double least = 2;
+      for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
+        least = (std::min)(least, 1 - normal.dot(m_normals[m_graph.left(e)]));
+      turn += least / static_cast<double>(corner.ends.size());
+    }
+    return (m_mesh.points[v] - p).squaredNorm() / (m_edge * m_edge) + price_of_edge * (std::max)(0., missing)
+           + price_of_normals * turn;
+  }
+
+  // Chooses the edge by which each arc should leave a corner: those of the least sum of costs in the order of the body.
+  void choose_ports(const std::size_t corner)
+  {
+    const std::vector<End_of_arc_3> leaving = ends(corner);
+    const std::size_t v = m_vertices[corner], n = m_graph.degree(v), number = leaving.size();
+    if(number == 0 || number > n)
+      return;
+    std::vector<std::vector<double> > costs(number);
+    for(std::size_t i = 0; i < number; ++i)
+      for(std::size_t j = 0; j < n; ++j)
+        costs[i].push_back(cost_of_port(corner, leaving[i], m_graph.first(v) + j));
+    double least = (std::numeric_limits<double>::infinity)();
+    std::vector<std::size_t> ports(number), best;
+    const std::function<void(std::size_t, std::size_t, double)> choose
+      = [&](const std::size_t i, const std::size_t from, const double sum)
+    {
+      if(sum >= least)
+        return;
+      if(i == number)
+      {
+        least = sum;
+        best = ports;
+        return;
+      }
+      const std::size_t end = (i == 0 ? n : ports[0] + n - (number - 1 - i));
+      for(std::size_t j = from; j < end; ++j)
+      {
+        ports[i] = j;
+        choose(i + 1, j + 1, sum + costs[i][j % n]);
+      }
+    };
+    choose(0, 0, 0);
+    for(std::size_t i = 0; i < number; ++i)
+      m_ports[leaving[i].arc][leaving[i].side] = m_graph.target(m_graph.first(v) + best[i] % n);
+  }
+
+  double cost_of_port(const std::size_t corner, const End_of_arc_3& end, const std::size_t e)
+  {
+    constexpr double price_of_other_corner = 5; // a guess
+    const Polyline_3& line = m_complex.line(end.arc);
+    const std::size_t w = m_graph.target(e), other = m_complex.corner({ end.arc, 1 - end.side });
+    const Vector_3 way = m_mesh.points[w] - m_mesh.points[m_graph.source(e)];
+    const double length = (std::min)(way.norm(), line.length());
+    const Vector_3 along
+      = line.point(end.side == 0 ? length : line.length() - length) - m_complex.points()[m_complex.corners()[corner].vertex];
+    const double result = 1 - way.stableNormalized().dot(along.stableNormalized()) + 0.3 * distance(w, end.arc)
+      + 0.5 * (deviation(m_graph.left(e), patch_beside(end, true))
+               + deviation(m_graph.left(m_graph.opposite(e)), patch_beside(end, false)));
+    return result + (m_corner_at[w] != none && m_corner_at[w] != other ? price_of_other_corner : 0);
+  }
+
+  std::vector<std::size_t> route(const std::size_t arc, const double price)
+  {
+    const std::size_t source_corner = m_complex.corner({ arc, 0 }), target_corner = m_complex.corner({ arc, 1 });
+    const std::size_t source = m_vertices[source_corner], target = m_vertices[target_corner];
+    return m_graph.shortest_path(source, target, [&](const std::size_t e)
+    {
+      const std::size_t v = m_graph.source(e), w = m_graph.target(e);
+      if(w == source || (w != target && m_corner_at[w] != none && is_used(m_corner_at[w])))
+        return (std::numeric_limits<double>::max)();
+      double result = cost(e, arc);
+      if(w != target)
+        result += m_history[w] + price * m_occupied[w];
+      const std::size_t undirected = (std::min)(e, m_graph.opposite(e));
+      result += m_history_of_edges[undirected] + price * m_occupied_edges[undirected];
+      if(v == source && w != m_ports[arc][0])
+        result += m_penalties[source_corner];
+      if(w == target && v != m_ports[arc][1])
+        result += m_penalties[target_corner];
+      return result;
+    });
+  }
+
+  void occupy(const std::size_t arc, const int change)
+  {
+    for(const std::size_t e : m_paths[arc])
+    {
+      m_occupied_edges[(std::min)(e, m_graph.opposite(e))] += change;
+      if(e != m_paths[arc].back())
+        m_occupied[m_graph.target(e)] += change;
+    }
+  }
+
+  // Returns whether the paths at a corner leave it in the order of the body.
+  bool is_in_order(const std::size_t corner) const
+  {
+    std::vector<std::size_t> edges;
+    for(const End_of_arc_3& end : ends(corner))
+      if(const std::vector<std::size_t>& path = m_paths[end.arc]; !path.empty())
+        edges.push_back(end.side == 0 ? path.front() : m_graph.opposite(path.back()));
+    int number_of_descents = 0;
+    for(std::size_t i = 0; i < edges.size() && edges.size() > 1; ++i)
+    {
+      const std::size_t next = edges[(i + 1) % edges.size()];
+      if(edges[i] == next)
+        return false;
+      number_of_descents += next < edges[i];
+    }
+    return number_of_descents <= 1;
+  }
+
+  // Returns the number of conflicts in the path of an arc; corners out of order count, too.
+  double conflicts(const std::size_t arc) const
+  {
+    if(m_paths[arc].empty())
+      return 100;
+    double result = 0;
+    for(const std::size_t e : m_paths[arc])
+    {
+      result += m_occupied_edges[(std::min)(e, m_graph.opposite(e))] - 1;
+      if(e != m_paths[arc].back())
+        result += m_occupied[m_graph.target(e)] - 1;
+    }
+    for(const std::size_t side : { 0, 1 })
+      result += !is_in_order(m_complex.corner({ arc, side }));
+    return result / (1 + 0.05 * static_cast<double>(m_paths[arc].size())); // longer ones are kept
+  }
+
+  void give_up(const std::size_t curve)
+  {
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      if(m_complex.arcs()[a].curve == curve && !m_is_dropped[a])
+      {
+        if(!m_paths[a].empty())
+          occupy(a, -1);
+        m_paths[a].clear();
+        m_is_dropped[a] = true;
+      }
+  }
+
+  // Returns whether paths of the arcs that are left are disjoint and in order.
+  bool find_paths(const Budget& budget)
+  {
+    constexpr int number_of_rounds = 45, number_of_curves_given_up = 60; // guesses
+    std::vector<std::size_t> order;
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      order.push_back(a);
+    std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b)
+              { return m_complex.line(a).length() < m_complex.line(b).length(); });
+    m_occupied.assign(m_mesh.points.size(), 0);
+    m_history.assign(m_mesh.points.size(), 0);
+    m_occupied_edges.assign(m_graph.number_of_edges(), 0);
+    m_history_of_edges.assign(m_graph.number_of_edges(), 0);
+    for(int number_given_up = 0; number_given_up <= number_of_curves_given_up; ++number_given_up)
+    {
+      m_penalties.assign(m_complex.corners().size(), 1);
+      for(std::size_t c = 0; c < m_vertices.size(); ++c)
+        if(m_vertices[c] != none)
+          choose_ports(c);
+      double price = number_given_up == 0 ? 0.3 : 1;
+      for(int round = 0; round < number_of_rounds && !budget.is_exhausted(); ++round, price = (std::min)(1.25 * price, 40.))
+      {
+        for(const std::size_t a : order)
+          if(!m_is_dropped[a])
+          {
+            occupy(a, -1);
+            m_paths[a] = route(a, price);
+            occupy(a, 1);
+          }
+        if(are_disjoint())
+          return true;
+      }
+      if(budget.is_exhausted())
+        return false;
+      std::pair<double, std::size_t> worst = { 0, none };
+      for(std::size_t a = 0; a < m_paths.size(); ++a)
+        if(!m_is_dropped[a])
+          worst = (std::max)(worst, { conflicts(a), a });
+      if(worst.second == none)
+        return false;
+      give_up(m_complex.arcs()[worst.second].curve);
+    }
+    return false;
+  }
+
+  // Returns whether no vertex or edge is in two paths and all corners are in order. Otherwise, raises the prices of the former.
+  bool are_disjoint()
+  {
+    constexpr double growth_of_history = 0.4, growth_of_penalty = 1.6, largest_penalty = 1e4; // guesses
+    bool result = true;
+    const auto raise = [&](const std::vector<int>& occupied, std::vector<double>& history)
+    {
+      for(std::size_t i = 0; i < occupied.size(); ++i)
+        if(occupied[i] > 1)
+        {
+          result = false;
+          history[i] += growth_of_history * (occupied[i] - 1);
+        }
+    };
+    raise(m_occupied, m_history);
+    raise(m_occupied_edges, m_history_of_edges);
+    for(std::size_t c = 0; c < m_penalties.size(); ++c)
+      if(!is_in_order(c))
+      {
+        result = false;
+        m_penalties[c] = (std::min)(growth_of_penalty * m_penalties[c], largest_penalty);
+      }
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      result = result && (m_is_dropped[a] || !m_paths[a].empty());
+    return result;
+  }
+
+  // Joins patches across curves that were given up, and quadrangles across edges without a path. Returns whether the paths around
+  // quadrangles name one region, and each patch that is not joined has one connected region.
+  bool find_regions()
+  {
+    Disjoint_sets patches(m_complex.number_of_patches()), quadrangles(m_mesh.facets.size());
+    std::vector<bool> is_wall(m_graph.number_of_edges(), false);
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+    {
+      const auto& [left, right] = m_complex.arcs()[a].patches;
+      if(m_is_dropped[a])
+        patches.unite(left, right);
+      for(const std::size_t e : m_paths[a])
+        is_wall[e] = is_wall[m_graph.opposite(e)] = true;
+    }
+    for(std::size_t e = 0; e < is_wall.size(); ++e)
+      if(!is_wall[e])
+        quadrangles.unite(m_graph.left(e), m_graph.left(m_graph.opposite(e)));
+    const std::vector<std::size_t> numbers = patches.numbers();
+    m_patches.resize(numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end()));
+    for(std::size_t p = 0; p < numbers.size(); ++p)
+      m_patches[numbers[p]].insert(p);
+    std::map<std::size_t, std::size_t> region_of_set, set_of_region;
+    const auto name = [&](const std::size_t e, const std::size_t patch)
+    {
+      const std::size_t set = quadrangles.find(m_graph.left(e)), region = numbers[patch];
+      return region_of_set.emplace(set, region).first->second == region
+             && (set_of_region.emplace(region, set).first->second == set || m_patches[region].size() > 1);
+    };
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      for(const std::size_t e : m_paths[a])
+        if(!name(e, m_complex.arcs()[a].patches[0]) || !name(m_graph.opposite(e), m_complex.arcs()[a].patches[1]))
+          return false;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+    {
+      const auto found = region_of_set.find(quadrangles.find(f));
+      if(found == region_of_set.end() && m_patches.size() > 1)
+        return false;
+      m_regions.push_back(found == region_of_set.end() ? 0 : found->second);
+    }
+    return true;
+  }
+
+  const Body_complex_3& m_complex;
+  const Hexahedra_3& m_mesh;
+  const Boundary_graph_3 m_graph;
+  const double m_edge;
+  std::vector<Vector_3> m_centers, m_normals; // of quadrangles
+  std::vector<bool> m_is_dropped;             // of each arc
+  std::vector<std::vector<std::size_t> > m_paths; // edges of each arc
+  std::vector<std::map<std::size_t, double> > m_costs, m_deviations;
+  std::vector<std::array<std::size_t, 2> > m_ports; // vertices by which arcs should leave their corners
+  std::vector<std::size_t> m_corner_at, m_vertices;
+  std::vector<double> m_history, m_history_of_edges, m_penalties; // of vertices, edges, corners
+  std::vector<int> m_occupied, m_occupied_edges; // numbers of paths
+  std::vector<std::size_t> m_regions; // of each quadrangle
+  std::vector<std::set<std::size_t> > m_patches; // of each region
+};
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_FEATURE_EMBEDDING_3_H

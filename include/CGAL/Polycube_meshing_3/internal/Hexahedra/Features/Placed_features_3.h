@@ -1,0 +1,376 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_PLACED_FEATURES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_PLACED_FEATURES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Padding_3.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Hexahedra with the places of an embedding: each quadrangle of the boundary has a region, and vertices are at a corner, on an
+// arc, in a region or inside. Starts with hexahedra that have one layer along the boundary.
+class Placed_features_3
+{
+public:
+  Placed_features_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
+                    const double edge, const Body_surface_3& boundary)
+    : m_complex(complex), m_embedding(embedding), m_mesh(mesh), m_edge(edge), m_boundary(boundary)
+  {
+    collect_walls();
+    add_sheets();
+    collect_locations();
+    make_surfaces();
+    move_to_arcs();
+    move_into_regions();
+    move_inside();
+  }
+
+  Placed_hexahedra_3 result() const
+  {
+    Placed_hexahedra_3 result = { m_mesh, {}, { { &m_boundary, {}, 0.2 } } };
+    for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
+    {
+      const Location& location = m_locations[v];
+      result.positions.push_back({ m_mesh.points[v], surface(location), location.freedom, location.freedom != Freedom_3::SPACE });
+    }
+    for(const std::array<std::size_t, 4>& q : m_mesh.facets)
+      result.covered.front().add(q);
+    return result;
+  }
+
+private:
+  using Edge = std::array<std::size_t, 2>;
+
+  struct Location
+  {
+    Freedom_3 freedom = Freedom_3::SPACE;
+    std::size_t number = 0; // of a corner, an arc or a region
+  };
+
+  const Body_surface_3* surface(const Location& location) const
+  {
+    return location.freedom == Freedom_3::LINE ? m_lines[location.number].get()
+         : location.freedom == Freedom_3::SURFACE ? m_surfaces[location.number].get() : &m_boundary;
+  }
+
+  void collect_walls()
+  {
+    const Boundary_graph_3& graph = m_embedding.graph();
+    for(std::size_t a = 0; a < m_complex.arcs().size(); ++a)
+    {
+      std::vector<std::size_t> vertices;
+      for(const std::size_t e : m_embedding.path(a))
+      {
+        m_walls[sorted(Edge{ graph.source(e), graph.target(e) })] = a;
+        vertices.push_back(graph.source(e));
+      }
+      if(!vertices.empty())
+        vertices.push_back(graph.target(m_embedding.path(a).back()));
+      m_paths.push_back(vertices);
+    }
+    for(std::size_t c = 0; c < m_complex.corners().size(); ++c)
+      if(m_embedding.is_used(c))
+        m_corners[m_embedding.vertex(c)] = c;
+  }
+
+  // Returns whether an edge is between two regions. Patches on both sides of an arc are one region if another arc was given up.
+  bool is_border(const Edge& edge) const
+  {
+    const auto wall = m_walls.find(edge);
+    if(wall == m_walls.end())
+      return false;
+    const auto& [left, right] = m_complex.arcs()[wall->second].patches;
+    return std::none_of(m_embedding.patches().begin(), m_embedding.patches().end(),
+                        [&, l = left, r = right](const std::set<std::size_t>& patches)
+                        { return patches.count(l) > 0 && patches.count(r) > 0; });
+  }
+
+  // Returns the angle of a region between two arcs at a corner.
+  double angle(const std::size_t corner, const std::size_t first, const std::size_t second, const std::size_t region) const
+  {
+    const Vector_3& p = m_complex.points()[m_complex.corners()[corner].vertex];
+    const auto direction = [&](const std::size_t arc)
+    {
+      const Polyline_3& line = m_complex.line(arc);
+      const double length = (std::min)(0.3 * m_edge, 0.2 * line.length());
+      const bool is_first = m_complex.corner({ arc, 0 }) == corner;
+      return (line.point(is_first ? length : line.length() - length) - p).stableNormalized();
+    };
+    const std::set<std::size_t>& patches = m_embedding.patches()[region];
+    const auto distance = [&](const std::size_t patch)
+    { return (m_complex.surface(patch).nearest(p, Freedom_3::SURFACE) - p).norm(); };
+    const std::size_t patch = *std::min_element(patches.begin(), patches.end(), [&](const std::size_t a, const std::size_t b)
+                                                { return distance(a) < distance(b); });
+    const Vector_3 d = direction(first), e = direction(second), n = m_complex.surface(patch).normal(p);
+    const double result = std::atan2(n.dot(e.cross(d)), d.dot(e));
+    return result < 0 ? result + 2 * CGAL_PI : result;
+  }
+
+  // Returns whether a quadrangle has two edges on one smooth curve, or at a corner that is almost straight in the region.
+  bool is_cramped(const std::size_t f) const
+  {
+    constexpr double largest_angle = 2.6; // a guess; 150 degrees
+    const std::array<std::size_t, 4>& q = m_mesh.facets[f];
+    std::map<std::size_t, std::set<std::size_t> > vertices_on; // curves
+    for(std::size_t i = 0; i < 4; ++i)
+    {
+      const auto before = m_walls.find(edge_of_quadrangle(q, i + 3)), after = m_walls.find(edge_of_quadrangle(q, i));
+      if(after == m_walls.end())
+        continue;
+      vertices_on[m_complex.arcs()[after->second].curve].insert({ q[i], q[(i + 1) % 4] });
+      if(before == m_walls.end())
+        continue;
+      const auto corner = m_corners.find(q[i]);
+      if(corner == m_corners.end() || m_complex.arcs()[before->second].curve == m_complex.arcs()[after->second].curve
+         || angle(corner->second, before->second, after->second, m_embedding.region(f)) > largest_angle)
+        return true;
+    }
+    return std::any_of(vertices_on.begin(), vertices_on.end(), [](const auto& curve) { return curve.second.size() > 2; });
+  }
+
+  // Puts sheets of hexahedra around the layer under each region with a cramped quadrangle, so that no other quadrangle there has
+  // two edges on its curves.
+  void add_sheets()
+  {
+    std::set<std::size_t> regions;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      if(is_cramped(f))
+        regions.insert(m_embedding.region(f));
+    std::vector<int> parts(m_mesh.cells.size(), 0);
+    std::map<std::size_t, std::size_t> region_of_cell;
+    std::vector<Quadrangle_of_hexahedron> covered;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+    {
+      const std::size_t c = m_mesh.facet_cells[f], region = m_embedding.region(f);
+      region_of_cell[c] = region;
+      if(regions.count(region) == 0)
+        continue;
+      parts[c] = static_cast<int>(1 + region);
+      const std::array<std::size_t, 4>& top = m_mesh.facets[f];
+      for(std::size_t side = 0; side < 6; ++side)
+      {
+        std::vector<std::size_t> common;
+        for(const std::size_t v : vertices_of(m_mesh, { c, side }))
+          if(std::find(top.begin(), top.end(), v) != top.end())
+            common.push_back(v);
+        if(common.empty() || (common.size() == 2 && is_border(sorted(Edge{ common[0], common[1] }))))
+          covered.push_back({ c, side });
+      }
+    }
+    if(!covered.empty())
+    {
+      m_mesh = Padding_3(m_mesh, covered, parts).result();
+      for(std::size_t i = 0; i < covered.size(); ++i)
+        region_of_cell[m_mesh.cells.size() - covered.size() + i] = region_of_cell.at(covered[i].cell);
+    }
+    for(const std::size_t c : m_mesh.facet_cells)
+      m_regions.push_back(region_of_cell.at(c));
+  }
+
+  void collect_locations()
+  {
+    m_locations.resize(m_mesh.points.size());
+    m_regions_at.resize(m_mesh.points.size());
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      for(const std::size_t v : m_mesh.facets[f])
+      {
+        m_locations[v] = { Freedom_3::SURFACE, m_regions[f] };
+        m_regions_at[v].insert(m_regions[f]);
+      }
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      for(const std::size_t v : m_paths[a])
+        m_locations[v] = { Freedom_3::LINE, a };
+    for(const auto& [v, c] : m_corners)
+      m_locations[v] = { Freedom_3::NONE, c };
+  }
+
+  void make_surfaces()
+  {
+    for(const std::set<std::size_t>& patches : m_embedding.patches())
+      m_surfaces.push_back(std::make_unique<Body_surface_3>(m_complex.points(), m_complex.facets_of(patches),
+                                                            std::vector<std::array<std::size_t, 2> >()));
+    for(const Arc_3& arc : m_complex.arcs())
+    {
+      std::vector<std::array<std::size_t, 2> > edges;
+      for(std::size_t i = 1; i < arc.vertices.size(); ++i)
+        edges.push_back({ arc.vertices[i - 1], arc.vertices[i] });
+      m_lines.push_back(std::make_unique<Body_surface_3>(m_complex.points(),
+                                                         m_complex.facets_of({ arc.patches[0], arc.patches[1] }), edges));
+    }
+  }
+
+  // Puts the vertices of paths near the nearest points of their arcs, in order and with a distance: an isotonic regression.
+  void move_to_arcs()
+  {
+    constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+    {
+      const std::vector<std::size_t>& path = m_paths[a];
+      const Polyline_3& line = m_complex.line(a);
+      if(path.size() < 3)
+        continue;
+      const double step = line.length() / static_cast<double>(path.size() - 1), gap = least_distance * step;
+      std::vector<std::pair<double, std::size_t> > blocks; // mean and number of lengths
+      for(std::size_t i = 1; i + 1 < path.size(); ++i)
+      {
+        const double k = static_cast<double>(i);
+        blocks.emplace_back((1 - part_of_equal_distances) * line.nearest(m_mesh.points[path[i]]).second
+                            + part_of_equal_distances * k * step - k * gap, 1);
+        while(blocks.size() > 1 && blocks[blocks.size() - 2].first > blocks.back().first)
+        {
+          const auto [mean, number] = blocks.back();
+          blocks.pop_back();
+          auto& [other_mean, other_number] = blocks.back();
+          other_mean = (other_mean * static_cast<double>(other_number) + mean * static_cast<double>(number))
+                       / static_cast<double>(other_number + number);
+          other_number += number;
+        }
+      }
+      std::size_t i = 1;
+      for(const auto& [mean, number] : blocks)
+        for(std::size_t k = 0; k < number; ++k, ++i)
+          m_mesh.points[path[i]] = line.point(std::clamp(mean, 0., line.length() - gap * static_cast<double>(path.size() - 1))
+                                              + gap * static_cast<double>(i));
+    }
+    for(const auto& [v, c] : m_corners)
+      m_mesh.points[v] = m_complex.points()[m_complex.corners()[c].vertex];
+  }
+
+  // Returns for each vertex those at the other ends of its edges.
+  template <typename Predicate>
+  std::vector<std::vector<std::size_t> > neighbors(const Predicate& has_neighbors) const
+  {
+    std::vector<std::vector<std::size_t> > result(m_mesh.points.size());
+    for_each_corner(m_mesh, [&](const std::array<std::size_t, 4>& corner)
+    {
+      for(std::size_t i = 1; i < 4; ++i)
+        if(has_neighbors(corner[0], corner[i]))
+          result[corner[0]].push_back(corner[i]);
+    });
+    for(std::vector<std::size_t>& around : result)
+    {
+      std::sort(around.begin(), around.end());
+      around.erase(std::unique(around.begin(), around.end()), around.end());
+    }
+    return result;
+  }
+
+  Vector_3 mean(const std::vector<std::size_t>& vertices) const
+  {
+    Vector_3 result = Vector_3::Zero();
+    for(const std::size_t v : vertices)
+      result += m_mesh.points[v] / static_cast<double>(vertices.size());
+    return result;
+  }
+
+  // Puts vertices in regions near the means of their neighbors there.
+  void move_into_regions()
+  {
+    constexpr int number_of_sweeps = 15, sweeps_between_projections = 5; // guesses
+    std::set<Edge> edges;
+    for(const std::array<std::size_t, 4>& q : m_mesh.facets)
+      for(std::size_t i = 0; i < 4; ++i)
+        edges.insert(edge_of_quadrangle(q, i));
+    const auto is_joined = [&](const std::size_t v, const std::size_t w)
+    { return m_locations[v].freedom == Freedom_3::SURFACE && edges.count(sorted(Edge{ v, w })) > 0; };
+    const auto around = neighbors(is_joined);
+    for(int sweep = 0; sweep <= number_of_sweeps; ++sweep)
+      for(std::size_t v = 0; v < around.size(); ++v)
+        if(m_locations[v].freedom == Freedom_3::SURFACE)
+        {
+          if(sweep > 0)
+            m_mesh.points[v] = mean(around[v]);
+          if(sweep % sweeps_between_projections == 0)
+            m_mesh.points[v] = surface(m_locations[v])->nearest(m_mesh.points[v], Freedom_3::SURFACE);
+        }
+  }
+
+  // Returns the direction that leads into the body and is farthest inside of all regions at a vertex.
+  Vector_3 direction_inside(const std::size_t v) const
+  {
+    constexpr int number_of_steps = 60; // a guess
+    std::vector<Vector_3> normals;
+    Vector_3 result = Vector_3::Zero();
+    for(const std::size_t region : m_regions_at[v])
+    {
+      normals.push_back(-m_surfaces[region]->normal(m_mesh.points[v]));
+      result += normals.back();
+    }
+    result = result.stableNormalized();
+    for(int step = 0; step < number_of_steps; ++step)
+    {
+      const Vector_3& worst = *std::min_element(normals.begin(), normals.end(), [&](const Vector_3& n, const Vector_3& m)
+                                                { return n.dot(result) < m.dot(result); });
+      result = (result + 0.5 / (step + 2) * worst).stableNormalized();
+    }
+    return result;
+  }
+
+  // Puts the vertices under the boundary at a part of an edge from it, and others near the means of their neighbors.
+  void move_inside()
+  {
+    constexpr double depth = 0.3;                           // a guess; relative to the edges at the vertex
+    constexpr int number_of_layers = 7, number_of_sweeps = 25; // guesses
+    const auto around = neighbors([](std::size_t, std::size_t) { return true; });
+    std::vector<int> layer(around.size(), number_of_layers + 1);
+    std::vector<bool> is_under_boundary(around.size(), false);
+    for(std::size_t v = 0; v < around.size(); ++v)
+      if(m_locations[v].freedom != Freedom_3::SPACE)
+        layer[v] = 0;
+    for(int number = 1; number <= number_of_layers; ++number)
+      for(std::size_t v = 0; v < around.size(); ++v)
+        if(layer[v] > number && std::any_of(around[v].begin(), around[v].end(),
+                                            [&](const std::size_t w) { return layer[w] == number - 1; }))
+          layer[v] = number;
+    for(std::size_t v = 0; v < around.size(); ++v)
+    {
+      if(layer[v] > 0)
+        continue;
+      std::vector<std::size_t> inner;
+      double length = 0;
+      for(const std::size_t w : around[v])
+        if(layer[w] > 0)
+          inner.push_back(w);
+        else
+          length += (m_mesh.points[w] - m_mesh.points[v]).norm();
+      if(inner.size() != 1)
+        continue;
+      length /= static_cast<double>(around[v].size() - 1);
+      m_mesh.points[inner[0]] = m_mesh.points[v] + depth * (std::min)(length, m_edge) * direction_inside(v);
+      is_under_boundary[inner[0]] = true;
+    }
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+      for(std::size_t v = 0; v < around.size(); ++v)
+        if(layer[v] > 0 && layer[v] <= number_of_layers && !is_under_boundary[v])
+          m_mesh.points[v] = mean(around[v]);
+  }
+
+  const Body_complex_3& m_complex;
+  const Feature_embedding_3& m_embedding;
+  Hexahedra_3 m_mesh;
+  const double m_edge;
+  const Body_surface_3& m_boundary;
+  std::map<Edge, std::size_t> m_walls;           // the arc of each edge in a path
+  std::vector<std::vector<std::size_t> > m_paths; // vertices of each arc
+  std::map<std::size_t, std::size_t> m_corners;  // by their vertices
+  std::vector<std::size_t> m_regions;            // of each quadrangle
+  std::vector<Location> m_locations;
+  std::vector<std::set<std::size_t> > m_regions_at; // vertices of the boundary
+  std::vector<std::unique_ptr<Body_surface_3> > m_surfaces, m_lines; // of regions and arcs
+};
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_PLACED_FEATURES_3_H

@@ -1,0 +1,160 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_HEXAHEDRA_WITH_FEATURES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_HEXAHEDRA_WITH_FEATURES_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Placed_features_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Returns which corners, curves and patches of a body hexahedra have: a corner is near a vertex of the boundary, all points of a
+// curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is a tenth of an edge.
+inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
+                                                const Hexahedra_3& mesh, const double edge)
+{
+  constexpr double tolerance = 0.1;
+  AABB_trees_3::Segments segments;
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    for(std::size_t i = 0; i < 4; ++i)
+      if(q[i] < q[(i + 1) % 4])
+        segments.emplace_back(exact_point(mesh.points[q[i]]), exact_point(mesh.points[q[(i + 1) % 4]]));
+  AABB_trees_3::Of_segments edges(segments.cbegin(), segments.cend());
+  edges.accelerate_distance_queries();
+  Hexahedral_mesh_features result;
+  const auto count = [&](const bool is_kept, const Vector_3& point, std::size_t& number, std::size_t& number_of_kept,
+                         std::vector<std::array<double, 3> >& given_up)
+  {
+    ++number;
+    if(is_kept)
+      ++number_of_kept;
+    else
+      given_up.push_back(coordinates(point));
+  };
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(const Corner_3& corner : complex.corners())
+    if(corner.is_of_body)
+    {
+      const Vector_3& p = complex.points()[corner.vertex];
+      bool is_kept = false;
+      for(std::size_t v = 0; v < is_outer.size() && !is_kept; ++v)
+        is_kept = is_outer[v] && (mesh.points[v] - p).norm() <= tolerance * edge;
+      count(is_kept, p, result.number_of_corners, result.number_of_corners_kept, result.corners_given_up);
+    }
+  std::vector<bool> is_curve_kept(complex.number_of_curves(), true), is_patch_kept(complex.number_of_patches(), false);
+  for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+    for(const Vector_3& p : complex.line(a).points())
+      if(std::sqrt(edges.squared_distance(exact_point(p))) > tolerance * edge)
+        is_curve_kept[complex.arcs()[a].curve] = false;
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    is_patch_kept[complex.patch_of_facet(boundary.nearest_facet(center_of(mesh.points, q)))] = true;
+  std::vector<bool> is_counted(complex.number_of_curves(), false);
+  for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+  {
+    const std::size_t curve = complex.arcs()[a].curve;
+    if(!is_curve_kept[curve])
+      for(const std::size_t patch : complex.arcs()[a].patches)
+        is_patch_kept[patch] = false;
+    if(!is_counted[curve])
+      count(is_curve_kept[curve], complex.line(a).point(complex.line(a).length() / 2), result.number_of_curves,
+            result.number_of_curves_kept, result.curves_given_up);
+    is_counted[curve] = true;
+  }
+  for(std::size_t patch = 0; patch < is_patch_kept.size(); ++patch)
+    count(is_patch_kept[patch], complex.point_in_patch(patch), result.number_of_patches, result.number_of_patches_kept,
+          result.patches_given_up);
+  return result;
+}
+
+inline std::size_t number_of_kept(const Hexahedral_mesh_features& features)
+{ return features.number_of_corners_kept + features.number_of_curves_kept + features.number_of_patches_kept; }
+
+inline std::size_t number_of_features(const Hexahedral_mesh_features& features)
+{ return features.number_of_corners + features.number_of_curves + features.number_of_patches; }
+
+// Returns a sentence on features that are not kept; an empty one if all are.
+inline std::string sentence_on_features(const Hexahedral_mesh_features& features)
+{
+  if(number_of_kept(features) == number_of_features(features))
+    return "";
+  const auto& positions = !features.curves_given_up.empty() ? features.curves_given_up
+                        : !features.corners_given_up.empty() ? features.corners_given_up : features.patches_given_up;
+  return sentence(" Hexahedra keep ", features.number_of_corners_kept, " of ", features.number_of_corners, " corners, ",
+                  features.number_of_curves_kept, " of ", features.number_of_curves, " curves and ",
+                  features.number_of_patches_kept, " of ", features.number_of_patches,
+                  " patches of the boundary. One that is not kept is at ", describe(to_vector(positions[0])),
+                  ". To keep more, make the spacing smaller.");
+}
+
+// Returns hexahedra with a layer along the boundary, and with more edges at the vertices for corners where many arcs end: one of
+// the hexahedra there gets hexahedra around it.
+inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge)
+{
+  constexpr int number_of_rounds = 6; // a guess
+  std::vector<int> parts(mesh.cells.size(), 0);
+  Hexahedra_3 result = Padding_3(mesh, quadrangles_in(mesh, all_faces_of_domain(mesh)), parts).result();
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    std::vector<Quadrangle_of_hexahedron> covered;
+    parts.assign(result.cells.size(), 0);
+    int part = 0;
+    for(const std::size_t c : Feature_embedding_3(complex, result, edge).hexahedra_without_room())
+    {
+      parts[c] = ++part;
+      for(std::size_t side = 0; side < 6; ++side)
+        covered.push_back({ c, side });
+    }
+    if(covered.empty())
+      break;
+    for(std::size_t f = 0; f < result.facets.size(); ++f) // the boundary remains one
+      if(parts[result.facet_cells[f]] > 0)
+        covered.erase(std::find_if(covered.begin(), covered.end(), [&, side = side_of_facet(result, f)](const auto& q)
+                                   { return q.cell == result.facet_cells[f] && q.side == side; }));
+    result = Padding_3(result, covered, parts).result();
+  }
+  return result;
+}
+
+// Returns hexahedra with the features of the body, made of others by a layer along the boundary, sheets where a quadrangle would
+// be flat, and new positions. Returns the ones as they are unless more features are kept by valid ones that are not bad.
+inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
+                                                  Best_hexahedra_3 best, const bool may_change, const Budget& budget)
+{
+  const Body_complex_3 complex(body.soup, body.points);
+  best.result.features = kept_features_3(complex, body.surface, best.mesh, best.edge);
+  const Hexahedral_mesh_features& before = best.result.features;
+  if(!may_change || number_of_kept(before) == number_of_features(before))
+    return best;
+  const Hexahedra_3 padded = with_room_for_corners_3(complex, best.mesh, best.edge);
+  Feature_embedding_3 embedding(complex, padded, best.edge);
+  if(!embedding.run(budget))
+    return best;
+  const Placed_features_3 placed(complex, embedding, padded, best.edge, body.surface);
+  Best_hexahedra_3 next = { best.edge, {}, {}, best.staircases };
+  Sliding_hexahedra_3 hexahedra(placed.result(), problem.solver, body.is_parallel, budget);
+  Hexahedra_improvement_3(hexahedra, true, budget, next).run(false);
+  if(!is_at_least(next.result, (std::min)(bad_scaled_jacobian, best.result.minimum_scaled_jacobian)))
+    return best;
+  next.mesh.images.resize(next.mesh.points.size());
+  for(std::size_t v = 0; v < next.mesh.points.size(); ++v)
+    if(const auto image = body.map.nearest_image(exact_point(next.mesh.points[v])))
+      next.mesh.images[v] = to_vector(image->point);
+  next.result.features = kept_features_3(complex, body.surface, next.mesh, next.edge);
+  return number_of_kept(next.result.features) > number_of_kept(before) ? next : best;
+}
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_HEXAHEDRA_WITH_FEATURES_3_H
