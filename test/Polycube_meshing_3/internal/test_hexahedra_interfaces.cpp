@@ -308,7 +308,8 @@ TEST_CASE("Vertices of the boundary stay on it where an interface between hexahe
                                                                         && bottom < p[2] && p[2] < 3 ? 2 : 1; });
     Hexahedron_soup_3 mesh;
     const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
-    REQUIRE(result.status == VMP::OK);
+    REQUIRE(result.has_valid_mesh);
+    CHECK(result.status == VMP::ERROR_INCOMPLETE_HEXAHEDRA); // the box is higher than that of the body, by more than 2 %
     CHECK(result.minimum_scaled_jacobian > 0.7);
     CHECK(std::any_of(mesh.interface_facets.begin(), mesh.interface_facets.end(), [&](const auto& q)
                       { return std::any_of(q.begin(), q.end(), [&](const std::size_t v) { return mesh.points[v][2] == 4; }); }));
