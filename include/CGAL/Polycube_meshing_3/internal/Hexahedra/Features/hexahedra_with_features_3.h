@@ -146,10 +146,11 @@ inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& pro
   Hexahedra_improvement_3(hexahedra, true, budget, next).run(false);
   if(!is_at_least(next.result, (std::min)(bad_scaled_jacobian, best.result.minimum_scaled_jacobian)))
     return best;
+  const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
   next.mesh.images.resize(next.mesh.points.size());
   for(std::size_t v = 0; v < next.mesh.points.size(); ++v)
     if(const auto image = body.map.nearest_image(exact_point(next.mesh.points[v])))
-      next.mesh.images[v] = to_vector(image->point);
+      next.mesh.images[v] = domain.without_rounding(to_vector(image->point));
   next.result.features = kept_features_3(complex, body.surface, next.mesh, next.edge);
   return number_of_kept(next.result.features) > number_of_kept(before) ? next : best;
 }
