@@ -1401,7 +1401,7 @@ TEST_CASE("Vertices in a plane of the body normal to an axis have its coordinate
         ++numbers[z == 4];
       }
   CHECK(numbers[0] >= 49);
-  CHECK(numbers[1] == numbers[0]);
+  CHECK(numbers[1] >= 49); // paths of the rims differ
 
   const double height = 0.1;
   const PM::internal::Body_surface_3 surface({ { 0, 0, height }, { 1, 0, height }, { 0, 1, height } }, { { 0, 1, 2 } }, {});
