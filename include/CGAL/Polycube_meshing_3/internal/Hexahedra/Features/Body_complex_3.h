@@ -264,6 +264,8 @@ private:
         points.push_back(m_points[w]);
       m_lines.emplace_back(points);
     }
+    if(!m_is_manifold)
+      return; // facets around a corner might not be in a circle
     for(Corner_3& corner : m_corners)
     {
       const auto begin = ends.lower_bound({ corner.vertex, 0 });

@@ -39,7 +39,7 @@ public:
     {
       m_first[v] = m_edges.size();
       const auto begin = next.lower_bound({ v, 0 }), end = next.lower_bound({ v + 1, 0 });
-      for(auto it = begin; it != end && m_edges.size() < m_first[v] + std::distance(begin, end); )
+      for(auto it = begin; it != next.end() && m_edges.size() < m_first[v] + std::distance(begin, end); )
       {
         m_edges.push_back(it->first);
         m_left.push_back(left.at(it->first));
