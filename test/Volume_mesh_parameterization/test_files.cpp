@@ -238,11 +238,11 @@ TEST_CASE("Each fault in a MEDIT file has a sentence with its line")
   CHECK(reading_error(replaced(replaced(tetrahedron, "Tetrahedra\n1\n", "Tetrahedra\n2\n"), "End\n", ""))
         == "line 12: the end of the file follows 1 instead of 2 elements of the section 'Tetrahedra'");
 
-  // not tetrahedral
-  CHECK(reading_error(replaced(tetrahedron, "End", "Hexahedra\n1\n1 2 3 4 1 2 3 4 0\nEnd"))
-        == "line 13: " + VMP::internal::sentence_on_other_cells("Hexahedra"));
+  // other cells
+  CHECK(reading_error(replaced(tetrahedron, "End", "Hexahedra\n1\n1 2 3 4 1 2 3 5 0\nEnd"))
+        == "line 14: vertex 5 does not exist, the vertices are numbered from 1 to 4");
   CHECK(reading_error(replaced(tetrahedron, "End", "Prisms 1\n"))
-        == "line 12: " + VMP::internal::sentence_on_other_cells("Prisms"));
+        == "line 14: the end of the file follows 0 instead of 1 elements of the section 'Prisms'");
   CHECK(reading_error(replaced(tetrahedron, "Tetrahedra\n1\n1 2 3 4 7", "Tetrahedra\n0"))
         == "the file contains no tetrahedron");
 
@@ -839,7 +839,7 @@ TEST_CASE("Each fault in a binary MEDIT file has a sentence")
   CHECK(reading_error(with(28, -1)) == "the file ends too early, it has not -1 elements of a section");
   CHECK(reading_error(with(32, 5)) == "vertex 5 does not exist, there are 4, counted from 1");
   CHECK(reading_error(with(32, 0)).find("vertex 0 does not exist") == 0);
-  CHECK(reading_error(with(20, 10)) == VMP::internal::sentence_on_other_cells("prisms, hexahedra or pyramids"));
+  CHECK(reading_error(with(20, 10)) != ""); // a hexahedron with too few vertices
   CHECK(reading_error(with(20, 12)).find("the mesh is a surface with 1 triangle and no tetrahedron") == 0);
   std::string infinite = file;
   const double infinity = std::numeric_limits<double>::infinity();
@@ -993,6 +993,135 @@ TEST_CASE("Of second-order cells in a VTU file the corners are read, with their 
   CHECK(soup.notes.size() == 1);
 }
 
+// Two hexahedra, a prism and a pyramid that share quadrilaterals: a tower of two cubes with half a cube and a roof beside the
+// lower one. Their vertices have any order.
+const Points points_of_polyhedra = { { 1, 1, 2 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 1 }, { 0, 1, 0 }, { 1, 1, 1 }, { 0, 0, 1 },
+                                     { 1, 1, 0 }, { 1, 0, 1 }, { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 }, { 2, 0, 0 }, { 2, 0, 1 },
+                                     { .5, 2, .5 } };
+const std::vector<std::vector<std::size_t> > polyhedra = { { 1, 2, 7, 4, 6, 8, 5, 3 }, { 6, 8, 5, 3, 9, 10, 0, 11 },
+                                                           { 2, 12, 7, 8, 13, 5 }, { 3, 5, 7, 4, 14 } };
+
+// Checks the volume of a soup, its boundary, and the references of cells: 1 to 4 for those of the polyhedra.
+void check_split_polyhedra(const Soup& soup)
+{
+  std::array<double, 4> volumes = {};
+  Soup oriented = soup;
+  CHECK(VMP::orient_tetrahedron_soup(oriented) == 0); // all cells are positive
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+  {
+    std::array<Eigen::Vector3d, 4> p;
+    for(std::size_t i = 0; i < 4; ++i)
+      p[i] = Eigen::Vector3d(soup.points[soup.cells[c][i]].data());
+    volumes[static_cast<std::size_t>(soup.cell_references[c] - 1)] += (p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) / 6;
+  }
+  for(std::size_t k = 0; k < 4; ++k)
+    CHECK(volumes[k] == Approx(std::array{ 1., 1., .5, 1. / 3 }[k]));
+  // if two cells split a common quadrilateral by different diagonals, there are more facets than the triangles of the boundary
+  CHECK(VMP::internal::boundary_facets_3(soup.cells).size() == 2 * 8 + 2 * 2 + 2 + 4);
+  CHECK(soup.facet_references == std::vector<int>{ 9, 9 });
+  const auto facets = VMP::internal::boundary_facets_3(soup.cells);
+  for(auto facet : soup.facets)
+    CHECK(std::count_if(facets.begin(), facets.end(), [&](const auto& f)
+                        { return VMP::internal::sorted(f) == VMP::internal::sorted(facet); }) == 1);
+  REQUIRE(soup.notes.size() == 1);
+  CHECK(soup.notes[0].find("4 hexahedra, prisms and pyramids are split into tetrahedra") == 0);
+}
+
+TEST_CASE("Hexahedra, prisms and pyramids are split into tetrahedra with common facets, and keep their references")
+{
+  std::ostringstream file;
+  file << "MeshVersionFormatted 2\nDimension 3\nVertices " << points_of_polyhedra.size() << "\n";
+  for(const auto& [x, y, z] : points_of_polyhedra)
+    file << x << " " << y << " " << z << " 0\n";
+  const auto add = [&](const char* const keyword, const std::size_t begin, const std::size_t end)
+  {
+    file << keyword << " " << end - begin << "\n";
+    for(std::size_t c = begin; c < end; ++c)
+    {
+      for(const std::size_t v : polyhedra[c])
+        file << v + 1 << " ";
+      file << c + 1 << "\n";
+    }
+  };
+  add("Hexahedra", 0, 2);
+  add("Prisms", 2, 3);
+  add("Pyramids", 3, 4);
+  file << "Quadrilaterals 1\n2 5 8 3 9\nEnd\n"; // the bottom of the lower cube
+  check_split_polyhedra(read(file.str()));
+
+  Bytes bytes{false};
+  const auto numbers = [&](const std::initializer_list<std::int32_t> all)
+  {
+    for(const std::int32_t i : all)
+      bytes.add(i);
+  };
+  const auto begin_section = [&](const std::int32_t keyword, const std::size_t number, const std::size_t size_of_element)
+  {
+    const std::size_t end = bytes.text.size() + 12 + number * size_of_element;
+    numbers({ keyword, static_cast<std::int32_t>(end), static_cast<std::int32_t>(number) });
+  };
+  numbers({ 1, 2, 3, 20, 3 });
+  begin_section(4, points_of_polyhedra.size(), 28);
+  for(const auto& p : points_of_polyhedra)
+  {
+    for(const double x : p)
+      bytes.add(x);
+    numbers({ 0 });
+  }
+  for(std::size_t c = 0; c < polyhedra.size(); ++c)
+  {
+    begin_section(std::array{ 10, 10, 9, 49 }[c], 1, 4 * (polyhedra[c].size() + 1));
+    for(const std::size_t v : polyhedra[c])
+      numbers({ static_cast<std::int32_t>(v + 1) });
+    numbers({ static_cast<std::int32_t>(c + 1) });
+  }
+  begin_section(7, 1, 20);
+  numbers({ 2, 5, 8, 3, 9, 54, 0 });
+  check_split_polyhedra(read(bytes.text));
+
+  std::ostringstream grid;
+  const auto array_of = [&](const char* const type, const char* const name, const auto& values)
+  {
+    grid << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
+         << (std::string(name) == "Points" ? 3 : 1) << "\" format=\"ascii\">";
+    for(const auto& value : values)
+      grid << value << " ";
+    grid << "</DataArray>";
+  };
+  std::vector<double> coordinates;
+  std::vector<std::size_t> connectivity, ends, types = { 12, 11, 13, 14, 9 }, references = { 1, 2, 3, 4, 9 };
+  for(const auto& p : points_of_polyhedra)
+    coordinates.insert(coordinates.end(), p.begin(), p.end());
+  auto cells = polyhedra;
+  std::swap(cells[1][2], cells[1][3]); // a voxel of VTK
+  std::swap(cells[1][6], cells[1][7]);
+  std::swap(cells[2][1], cells[2][2]); // the base of a prism of VTK is seen from outside
+  std::swap(cells[2][4], cells[2][5]);
+  cells.push_back({ 1, 4, 7, 2 });
+  for(const auto& cell : cells)
+  {
+    connectivity.insert(connectivity.end(), cell.begin(), cell.end());
+    ends.push_back(connectivity.size());
+  }
+  grid << "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid><Piece NumberOfPoints=\"" << coordinates.size() / 3
+       << "\" NumberOfCells=\"" << cells.size() << "\"><Points>";
+  array_of("Float64", "Points", coordinates);
+  grid << "</Points><Cells>";
+  array_of("Int64", "connectivity", connectivity);
+  array_of("Int64", "offsets", ends);
+  array_of("UInt8", "types", types);
+  grid << "</Cells><CellData>";
+  array_of("Int32", "reference", references);
+  grid << "</CellData></Piece></UnstructuredGrid></VTKFile>";
+  check_split_polyhedra(read_any(grid.str()));
+
+  // a hexahedron whose top is an edge is a prism
+  const Soup prism = read("MeshVersionFormatted 2\nDimension 3\nVertices 6\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 1 0\n1 0 1 0\n"
+                          "Hexahedra 1\n1 2 3 4 5 6 6 5 3\nEnd\n");
+  CHECK(prism.cells.size() == 3);
+  CHECK(prism.cell_references == std::vector<int>{ 3, 3, 3 });
+}
+
 TEST_CASE("Each fault in a VTU file has a sentence")
 {
   CHECK(sentence([]() { VMP::internal::decompress("vtkOtherDataCompressor", "block", 5); })
@@ -1019,7 +1148,8 @@ TEST_CASE("Each fault in a VTU file has a sentence")
   CHECK(error("Points' Num", "Points' Num") == "");
   CHECK(error("UnstructuredGrid\" version", "PolyData\" version")
         == "this is not a VTK XML file of the type UnstructuredGrid");
-  CHECK(error("1 5 10", "1 5 12") == "the mesh is not tetrahedral, because it has hexahedra, such as cell 2 (counted from 0); "
+  CHECK(error("1 5 10", "1 5 12") == "cell 2 (counted from 0) has only 4 vertices");
+  CHECK(error("1 5 10", "1 5 42") == "the mesh is not tetrahedral, because it has polyhedra, such as cell 2 (counted from 0); "
                                      "ParaView's filter Tetrahedralize cuts cells into tetrahedra");
   CHECK(error("1 5 10", "1 5 99").find("it has cells of VTK's type 99, such as cell 2") != std::string::npos);
   CHECK(error("1 5 10", "1 5 5").find("the mesh is a surface with 2 triangles") == 0);

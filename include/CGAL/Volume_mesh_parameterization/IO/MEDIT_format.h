@@ -66,8 +66,8 @@ namespace IO {
 /// The sections `Vertices`, `Tetrahedra`, `Triangles`, `Edges` and `Corners` are read, in any order, and several of a kind are
 /// joined. Of second-order elements (`TetrahedraP2`, ...), only the corners are read. Their other points are left out, and a note
 /// of the soup says so. The references of vertices and the other sections are skipped, among them `Ridges`, because all `Edges`
-/// are marked. Volume elements other than tetrahedra are an error. The final keyword `End` may be missing.
-/// The time is linear in the size of the file.
+/// are marked. Hexahedra, prisms and pyramids are split into tetrahedra, with diagonals at the least vertices of facets.
+/// `Quadrilaterals` are their facets. The final keyword `End` may be missing. The time is linear in the size of the file.
 ///
 /// \param is the stream
 /// \param soup gets the mesh

@@ -31,8 +31,9 @@ namespace IO {
 /// the format. A VTK file has the type `UnstructuredGrid` in one piece. Its arrays are text or binary (`raw` or base64, in their
 /// place or appended). They may be compressed by zlib, lzma or lz4, if these libraries were found.
 ///
-/// In a VTK file, triangles become marked facets, and lines become marked edges. Other cells of lower dimension are skipped.
-/// Volume elements other than tetrahedra are an error. Of cells of a higher order the corners are read. References are the first
+/// In a VTK file, triangles become marked facets, and lines become marked edges. Hexahedra, prisms and pyramids are split into
+/// tetrahedra, with diagonals at the least vertices of facets, and quadrilaterals are their facets. Other cells of lower dimension
+/// are skipped. Of cells of a higher order the corners are read. References are the first
 /// of the cell data below that are integers. Capitals and signs between letters do not matter. If there are none, references are
 /// the sets that meshio has joined to one array, numbered from 1 on and with their names. Otherwise, they are 0. Arrays of the
 /// section `FieldData` with two integers, a reference and a dimension from 1 to 3, are names of groups.

@@ -101,6 +101,7 @@ public:
     Tetrahedron_soup_3 soup;
     while(m_scanner.rest() > 0 && read_section(soup))
       go_on(m_budget);
+    split_polyhedra(soup);
     check_vertices(std::array{ soup.corners }, soup.points.size());
     check_vertices(soup.edges, soup.points.size());
     check_vertices(soup.facets, soup.points.size());
@@ -112,8 +113,8 @@ public:
   }
 
 private:
-  enum Keyword { DIMENSION = 3, VERTICES = 4, EDGES = 5, TRIANGLES = 6, TETRAHEDRA = 8, PRISMS = 9, HEXAHEDRA = 10, CORNERS = 13,
-                 TRIANGLES_P2 = 24, EDGES_P2 = 25, TETRAHEDRA_P2 = 30, PYRAMIDS = 49, END = 54 };
+  enum Keyword { DIMENSION = 3, VERTICES = 4, EDGES = 5, TRIANGLES = 6, QUADRILATERALS = 7, TETRAHEDRA = 8, PRISMS = 9,
+                 HEXAHEDRA = 10, CORNERS = 13, TRIANGLES_P2 = 24, EDGES_P2 = 25, TETRAHEDRA_P2 = 30, PYRAMIDS = 49, END = 54 };
 
   static std::int32_t first_number(const std::string_view bytes)
   { return bytes.size() < 4 ? 0 : Binary_scanner(bytes, false).next<std::int32_t>(); }
@@ -157,9 +158,10 @@ private:
       case EDGES_P2: read_simplices(3, soup.edges, soup.edge_references); break;
       case TRIANGLES_P2: read_simplices(6, soup.facets, soup.facet_references); break;
       case TETRAHEDRA_P2: read_simplices(10, soup.cells, soup.cell_references); break;
-      case PRISMS: case HEXAHEDRA: case PYRAMIDS:
-        if(next_integer() != 0)
-          throw Input_error(sentence_on_other_cells("prisms, hexahedra or pyramids"));
+      case QUADRILATERALS: read_polytopes(4, m_quadrilaterals); break;
+      case PYRAMIDS: read_polytopes(5, m_polyhedra); break;
+      case PRISMS: read_polytopes(6, m_polyhedra); break;
+      case HEXAHEDRA: read_polytopes(8, m_polyhedra);
     }
     if(end != 0)
       m_scanner.go_to(static_cast<std::size_t>(end));
@@ -210,7 +212,39 @@ private:
     });
   }
 
+  using Polytopes = std::vector<std::pair<std::vector<std::size_t>, int> >; // vertices and a reference of each
+
+  void read_polytopes(const std::size_t number_of_vertices, Polytopes& polytopes)
+  {
+    read_elements((number_of_vertices + 1) * size_of_integer(), [&]
+    {
+      polytopes.emplace_back(std::vector<std::size_t>(number_of_vertices), 0);
+      for(std::size_t& v : polytopes.back().first)
+        v = next_vertex();
+      polytopes.back().second = checked_reference(next_integer());
+    });
+  }
+
+  // Makes tetrahedra of hexahedra, prisms and pyramids, and triangles of their quadrilaterals.
+  void split_polyhedra(Tetrahedron_soup_3& soup) const
+  {
+    if(m_polyhedra.empty())
+      return;
+    for(const auto& [vertices, reference] : m_polyhedra)
+    {
+      for_each_tetrahedron(vertices, [&](const std::array<std::size_t, 4>& cell) { soup.cells.push_back(cell); });
+      soup.cell_references.resize(soup.cells.size(), reference);
+    }
+    for(const auto& [vertices, reference] : m_quadrilaterals)
+    {
+      for_each_triangle(vertices, [&](const std::array<std::size_t, 3>& facet) { soup.facets.push_back(facet); });
+      soup.facet_references.resize(soup.facets.size(), reference);
+    }
+    soup.notes.push_back(note_of_split_cells(m_polyhedra.size()));
+  }
+
   Binary_scanner m_scanner;
+  Polytopes m_polyhedra, m_quadrilaterals;
   const Budget& m_budget;
   std::int32_t m_version = 0;
   bool m_has_second_order = false;

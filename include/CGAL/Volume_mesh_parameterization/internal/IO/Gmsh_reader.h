@@ -113,6 +113,7 @@ public:
         read_name(dimension, tag);
       read_entity(dimension, has_groups[dimension] ? groups_of(dimension, tag) : std::vector<int>{ tag }, tag);
     }
+    add_quadrilaterals();
     require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "gmsh -save -o");
     read_data();
     if(m_has_higher_order)
@@ -174,37 +175,60 @@ private:
       std::vector<double> coordinates;
       gmsh::model::mesh::getElementProperties(types[t], name, type_dimension, order, number_of_nodes, coordinates,
                                               number_of_corners);
-      if(dimension == 3 && number_of_corners != 4)
-        throw Input_error(sentence_on_other_cells(
-          "elements of Gmsh's type '" + name + "'"));
-      if(dimension == 0 || number_of_corners != dimension + 1)
+      const std::size_t n = static_cast<std::size_t>(number_of_corners);
+      const bool is_polyhedron = dimension == 3 && (n == 5 || n == 6 || n == 8);
+      if(dimension == 3 && n != 4 && !is_polyhedron)
+        throw Input_error(sentence_on_other_cells("elements of Gmsh's type '" + name + "'"));
+      if(dimension == 0 || (dimension == 1 && n != 2))
         continue;
       m_has_higher_order = m_has_higher_order || order > 1;
+      m_number_of_polyhedra += is_polyhedron ? tags[t].size() : 0;
       for(const int reference : references) // an element has an entry for each of its groups
         for(std::size_t i = 0; i < tags[t].size(); ++i)
-          add(dimension, tags[t][i], &nodes[t][i * static_cast<std::size_t>(number_of_nodes)], reference);
+          add(dimension, tags[t][i], &nodes[t][i * static_cast<std::size_t>(number_of_nodes)], n, reference);
     }
   }
 
-  void add(const int dimension, const std::size_t tag, const std::size_t* const nodes, const int reference)
+  // Adds an element with these corners. Quadrilaterals become triangles if the mesh has polyhedra: see `add_quadrilaterals()`.
+  void add(const int dimension, const std::size_t tag, const std::size_t* const nodes, const std::size_t number_of_corners,
+           const int reference)
   {
-    switch(dimension)
+    std::vector<std::size_t> corners;
+    for(std::size_t i = 0; i < number_of_corners; ++i)
+      corners.push_back(m_points.at(nodes[i]));
+    switch(number_of_corners)
     {
-      case 1: add(m_soup.edges, m_soup.edge_references, m_edges, tag, nodes, reference); break;
-      case 2: add(m_soup.facets, m_soup.facet_references, m_facets, tag, nodes, reference); break;
-      default: add(m_soup.cells, m_soup.cell_references, m_cells, tag, nodes, reference);
+      case 2: return append(std::array{ corners[0], corners[1] }, m_soup.edges, m_soup.edge_references, m_edges, tag, reference);
+      case 3: return append(std::array{ corners[0], corners[1], corners[2] }, m_soup.facets, m_soup.facet_references, m_facets,
+                            tag, reference);
+      case 4:
+        if(dimension == 2)
+          return m_quadrilaterals.push_back({ corners, tag, reference });
+        return append(std::array{ corners[0], corners[1], corners[2], corners[3] }, m_soup.cells, m_soup.cell_references, m_cells,
+                      tag, reference);
+      default:
+        for_each_tetrahedron(corners, [&](const std::array<std::size_t, 4>& cell)
+                             { append(cell, m_soup.cells, m_soup.cell_references, m_cells, tag, reference); });
     }
   }
 
   template <std::size_t N>
-  void add(std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references,
-           std::vector<std::size_t>& tags, const std::size_t tag, const std::size_t* const nodes, const int reference)
+  static void append(const std::array<std::size_t, N>& simplex, std::vector<std::array<std::size_t, N> >& simplices,
+                     std::vector<int>& references, std::vector<std::size_t>& tags, const std::size_t tag, const int reference)
   {
-    simplices.emplace_back();
-    for(std::size_t i = 0; i < N; ++i)
-      simplices.back()[i] = m_points.at(nodes[i]);
+    simplices.push_back(simplex);
     references.push_back(reference);
     tags.push_back(tag);
+  }
+
+  void add_quadrilaterals()
+  {
+    if(m_number_of_polyhedra == 0)
+      return;
+    for(const Quadrilateral& quadrilateral : m_quadrilaterals)
+      for_each_triangle(quadrilateral.corners, [&](const std::array<std::size_t, 3>& facet)
+      { append(facet, m_soup.facets, m_soup.facet_references, m_facets, quadrilateral.tag, quadrilateral.reference); });
+    m_soup.notes.push_back(note_of_split_cells(m_number_of_polyhedra));
   }
 
   // Reads the first step of each view.
@@ -248,7 +272,16 @@ private:
     }
   }
 
+  struct Quadrilateral
+  {
+    std::vector<std::size_t> corners;
+    std::size_t tag;
+    int reference;
+  };
+
   std::set<int> m_left_out;
+  std::vector<Quadrilateral> m_quadrilaterals;
+  std::size_t m_number_of_polyhedra = 0;
   Tetrahedron_soup_3 m_soup;
   std::map<std::size_t, std::size_t> m_points;          // by their tags, in the order of these
   std::vector<std::size_t> m_edges, m_facets, m_cells;  // their tags

@@ -64,10 +64,11 @@ public:
     read_simplices(EDGES_P2, number_of_points, 3, soup.edges, soup.edge_references);
     read_simplices(TRIANGLES_P2, number_of_points, 6, soup.facets, soup.facet_references);
     read_simplices(TETRAHEDRA_P2, number_of_points, 10, soup.cells, soup.cell_references);
-    if(content == Content::MESH)
-      require_tetrahedra(total_of_processes(soup.cells.size()), total_of_processes(soup.facets.size()));
     const std::size_t number_of_second_order
       = total_of_processes(soup.edges.size() + soup.facets.size() + soup.cells.size() - number_of_simplices);
+    read_polyhedra(number_of_points, soup);
+    if(content == Content::MESH)
+      require_tetrahedra(total_of_processes(soup.cells.size()), total_of_processes(soup.facets.size()));
     if(number_of_second_order > 0 && m_is_slice)
       throw Input_error("the mesh has cells of second order, which several processes do not read");
     if(number_of_second_order > 0)
@@ -86,10 +87,10 @@ private:
   }
 
   enum { VERSION, DIMENSION, VERTICES, CORNERS, EDGES, TRIANGLES, TETRAHEDRA, EDGES_P2, TRIANGLES_P2, TETRAHEDRA_P2,
-         END = 15, OTHER, NONE };
+         QUADRILATERALS, HEXAHEDRA, HEXAEDRA, PRISMS, PENTAHEDRA, PYRAMIDS, END, OTHER, NONE };
   static constexpr std::array<std::string_view, OTHER> m_keywords
     = { "MeshVersionFormatted", "Dimension", "Vertices", "Corners", "Edges", "Triangles", "Tetrahedra", "EdgesP2",
-        "TrianglesP2", "TetrahedraP2", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
+        "TrianglesP2", "TetrahedraP2", "Quadrilaterals", "Hexahedra", "Hexaedra", "Prisms", "Pentahedra", "Pyramids", "End" };
 
   // The sections with a keyword.
   struct Sections
@@ -130,7 +131,7 @@ private:
         scanner.fail("the version of the format is " + std::to_string(count) + " instead of 1 to 4");
       if(m_last == DIMENSION && count != 3)
         scanner.fail("the dimension is not 3");
-      if(m_last > TETRAHEDRA_P2 && count != 0)
+      if(m_last > QUADRILATERALS && count != 0 && m_is_slice)
         scanner.fail(sentence_on_other_cells(std::string(word)));
       m_sections[m_last].count += static_cast<double>(count);
       m_sections[m_last].begins.push_back(scanner);
@@ -200,6 +201,44 @@ private:
     });
     simplices.shrink_to_fit(); // they stay as long as the map is computed
     references.shrink_to_fit();
+  }
+
+  // Reads hexahedra, prisms and pyramids as tetrahedra, and their quadrilaterals as triangles, with the same references.
+  void read_polyhedra(const std::size_t number_of_points, Tetrahedron_soup_3& soup) const
+  {
+    std::size_t number_of_polyhedra = 0;
+    const auto read = [&](const std::size_t k, const std::size_t number_of_vertices, const auto& add)
+    {
+      read_section(k, [&](Text_scanner& scanner)
+      {
+        std::vector<std::size_t> vertices(number_of_vertices);
+        for(std::size_t& v : vertices)
+          v = next_vertex(scanner, number_of_points);
+        add(vertices, next_reference(scanner));
+      });
+    };
+    for(const auto& [k, number_of_vertices] : { std::pair(HEXAHEDRA, 8), { HEXAEDRA, 8 }, { PRISMS, 6 }, { PENTAHEDRA, 6 },
+                                                { PYRAMIDS, 5 } })
+      read(k, number_of_vertices, [&](const std::vector<std::size_t>& vertices, const int reference)
+      {
+        ++number_of_polyhedra;
+        for_each_tetrahedron(vertices, [&](const std::array<std::size_t, 4>& cell)
+        {
+          soup.cells.push_back(cell);
+          soup.cell_references.push_back(reference);
+        });
+      });
+    if(number_of_polyhedra == 0)
+      return;
+    read(QUADRILATERALS, 4, [&](const std::vector<std::size_t>& vertices, const int reference)
+    {
+      for_each_triangle(vertices, [&](const std::array<std::size_t, 3>& facet)
+      {
+        soup.facets.push_back(facet);
+        soup.facet_references.push_back(reference);
+      });
+    });
+    soup.notes.push_back(note_of_split_cells(number_of_polyhedra));
   }
 
   static std::size_t next_vertex(Text_scanner& scanner, const std::size_t number_of_points)

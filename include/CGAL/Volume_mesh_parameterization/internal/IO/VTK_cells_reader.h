@@ -17,19 +17,20 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 
 #include <algorithm>
-#include <map>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// The name of cells of a type of VTK, in the plural.
-inline std::string name_of_VTK_cells(const std::int64_t type)
+// Returns the number of corners of a hexahedron, prism or pyramid of any order by its type of VTK; 0 for other cells.
+inline std::size_t number_of_polyhedron_corners(const std::int64_t type)
 {
-  static const std::map<std::int64_t, const char*> names = {
-    { 11, "voxels" }, { 12, "hexahedra" }, { 13, "prisms" }, { 14, "pyramids" }, { 25, "quadratic hexahedra" },
-    { 26, "quadratic prisms" }, { 27, "quadratic pyramids" }, { 29, "quadratic hexahedra" }, { 42, "polyhedra" },
-    { 72, "hexahedra of higher order" }, { 73, "prisms of higher order" }, { 74, "pyramids of higher order" } };
-  const auto name = names.find(type);
-  return name == names.end() ? "cells of VTK's type " + std::to_string(type) : name->second;
+  switch(type)
+  {
+    case 11: case 12: case 25: case 29: case 72: return 8;
+    case 13: case 26: case 73: return 6;
+    case 14: case 27: case 74: return 5;
+    default: return 0;
+  }
 }
 
 // Adds cells of an unstructured grid of VTK to a soup that has its points, with their data. References are among these.
@@ -58,18 +59,29 @@ public:
         add(c, vertices, number_of_vertices, m_soup.facets, m_soup.facet_references, m_soup.facet_data); break;
       case 10: case 24: case 71:
         add(c, vertices, number_of_vertices, m_soup.cells, m_soup.cell_references, m_soup.cell_data); break;
+      case 9: case 23: case 28: case 70: // a quadrilateral, which is a facet of a polyhedron
+        m_quadrilaterals.push_back({ c, corners(c, vertices, number_of_vertices, 4) }); break;
       default:
         constexpr std::int64_t last_of_surfaces = 9;
-        if(type < 1 || type > last_of_surfaces)
-          throw Input_error(sentence_on_other_cells(name_of_VTK_cells(type) + ", such as cell " + std::to_string(c)
-                                                    + " (counted from 0)",
+        if(const std::size_t n = number_of_polyhedron_corners(type); n > 0)
+          add_polyhedron(c, type, vertices, number_of_vertices, n);
+        else if(type < 1 || type > last_of_surfaces)
+          throw Input_error(sentence_on_other_cells((type == 42 ? "polyhedra" : "cells of VTK's type " + std::to_string(type))
+                                                    + ", such as cell " + std::to_string(c) + " (counted from 0)",
                                                     "ParaView's filter Tetrahedralize cuts cells into tetrahedra"));
     }
   }
 
-  // Removes mid-edge nodes.
+  // Splits quadrilaterals of polyhedra, and removes mid-edge nodes.
   void finish()
   {
+    if(m_number_of_polyhedra > 0)
+    {
+      for(const auto& [c, vertices] : m_quadrilaterals)
+        for_each_triangle(vertices, [&, c = c](const std::array<std::size_t, 3>& facet)
+                          { append(c, facet, m_soup.facets, m_soup.facet_references, m_soup.facet_data); });
+      m_soup.notes.push_back(note_of_split_cells(m_number_of_polyhedra));
+    }
     require_tetrahedra(m_soup.cells.size(), m_soup.facets.size(), "meshio convert");
     if(m_has_higher_order)
       remove_nodes_of_higher_order(m_soup);
@@ -77,17 +89,57 @@ public:
   }
 
 private:
+  // Returns the first vertices of cell c, which are its corners.
+  template <typename Iterator>
+  std::vector<std::size_t> corners(const std::size_t c, const Iterator vertices, const std::size_t number_of_vertices,
+                                   const std::size_t number_of_corners)
+  {
+    if(number_of_vertices < number_of_corners)
+      throw Input_error("cell " + std::to_string(c) + " (counted from 0) has only "
+                        + counted(number_of_vertices, "vertex", "vertices"));
+    m_has_higher_order = m_has_higher_order || number_of_vertices > number_of_corners;
+    std::vector<std::size_t> result;
+    for(std::size_t i = 0; i < number_of_corners; ++i)
+      result.push_back(checked_vertex(vertices[i], 0, m_soup.points.size()));
+    return result;
+  }
+
   template <std::size_t N, typename Iterator>
   void add(const std::size_t c, const Iterator vertices, const std::size_t number_of_vertices,
            std::vector<std::array<std::size_t, N> >& simplices, std::vector<int>& references, std::vector<Data_array_3>& copies)
   {
-    if(number_of_vertices < N)
-      throw Input_error("cell " + std::to_string(c) + " (counted from 0) has only "
-                        + counted(number_of_vertices, "vertex", "vertices"));
-    m_has_higher_order = m_has_higher_order || number_of_vertices > N;
-    simplices.emplace_back();
-    for(std::size_t i = 0; i < N; ++i)
-      simplices.back()[i] = checked_vertex(vertices[i], 0, m_soup.points.size());
+    const std::vector<std::size_t> corners_of_cell = corners(c, vertices, number_of_vertices, N);
+    std::array<std::size_t, N> simplex;
+    std::copy(corners_of_cell.begin(), corners_of_cell.end(), simplex.begin());
+    append(c, simplex, simplices, references, copies);
+  }
+
+  template <typename Iterator>
+  void add_polyhedron(const std::size_t c, const std::int64_t type, const Iterator vertices, const std::size_t number_of_vertices,
+                      const std::size_t number_of_corners)
+  {
+    std::vector<std::size_t> polyhedron = corners(c, vertices, number_of_vertices, number_of_corners);
+    if(type == 11) // a voxel, with the vertices in rows
+    {
+      std::swap(polyhedron[2], polyhedron[3]);
+      std::swap(polyhedron[6], polyhedron[7]);
+    }
+    if(number_of_corners == 6) // a prism, whose base is seen from outside
+    {
+      std::swap(polyhedron[1], polyhedron[2]);
+      std::swap(polyhedron[4], polyhedron[5]);
+    }
+    for_each_tetrahedron(polyhedron, [&](const std::array<std::size_t, 4>& cell)
+                         { append(c, cell, m_soup.cells, m_soup.cell_references, m_soup.cell_data); });
+    ++m_number_of_polyhedra;
+  }
+
+  // Appends a simplex with the reference and the data of cell c.
+  template <std::size_t N>
+  void append(const std::size_t c, const std::array<std::size_t, N>& simplex, std::vector<std::array<std::size_t, N> >& simplices,
+              std::vector<int>& references, std::vector<Data_array_3>& copies) const
+  {
+    simplices.push_back(simplex);
     references.push_back(m_references.values.empty() ? 0 : checked_reference(static_cast<std::int64_t>(m_references.values[c])));
     for(std::size_t a = 0; a < m_data.size(); ++a)
       for(std::size_t i = 0, n = m_data[a].number_of_components; i < n; ++i)
@@ -119,6 +171,8 @@ private:
   Tetrahedron_soup_3& m_soup;
   std::vector<Data_array_3> m_data;
   VTK_references m_references;
+  std::vector<std::pair<std::size_t, std::vector<std::size_t> > > m_quadrilaterals; // cells of the file, and their corners
+  std::size_t m_number_of_polyhedra = 0;
   bool m_has_higher_order = false;
 };
 
