@@ -84,6 +84,9 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
                                     std::vector<Vector_3>& images, const Budget& budget);
 }
 ]] @ONLY)
+  file(CONFIGURE OUTPUT surface_engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface_impl.h>
+]] @ONLY)
   # The sparse solvers allocate memory by the flags of a unit, as all of Eigen does. By another name, they are the engine's own.
   file(CONFIGURE OUTPUT sparse_systems.cpp CONTENT [[
 #define Eigen Eigen_of_Volume_mesh_parameterization
@@ -91,7 +94,8 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
 #include <CGAL/Volume_mesh_parameterization/internal/Solvers/Direct_solver_3_impl.h>
 ]] @ONLY)
   CGAL_Volume_mesh_parameterization_add_engine(${PROJECT_NAME} ${CMAKE_CURRENT_BINARY_DIR}/engine.cpp
-    ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp)
+    ${CMAKE_CURRENT_BINARY_DIR}/boundary_engine.cpp ${CMAKE_CURRENT_BINARY_DIR}/surface_engine.cpp
+    ${CMAKE_CURRENT_BINARY_DIR}/sparse_systems.cpp)
   # The package's configuration asks for what the engine was built with.
   if(TARGET CGAL::TBB_support)
     set_target_properties(${PROJECT_NAME}_engine PROPERTIES

@@ -1267,6 +1267,30 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(sentence({ { 0, 1 } }, 1).find("cubes.off: the surface is not closed, because the edge between the points (") == 0);
   CHECK(sentence({ { 0, 1 }, { 3, 1 } }).find("; the surface must enclose one body") != std::string::npos);
   CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("; the surface must enclose one body") != std::string::npos);
+  // points with the same place, and of a surface to which a body is fitted
+  const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\nv 0 0 1\n"
+                              "v 0 1 0\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
+  folder.write("doubled.obj", doubled);
+  CHECK(folder.run("doubled.obj --cells 0.5 --to doubled.obj") == 0);
+  CHECK(folder.text("stderr").find("note: doubled.obj: 8 points are joined to others with the same coordinates\n") == 0);
+  folder.write("open.obj", doubled.substr(0, doubled.rfind("f 10")));
+  CHECK(folder.run("doubled.obj --cells 0.5 --to open.obj") == 2);
+  CHECK(folder.text("stderr").find("open.obj: the surface is not closed, because the edge between the points (0, ")
+        != std::string::npos);
+  CHECK(folder.run("beam.mesh --to ball --merge-points=0.1") == 2);
+  CHECK(folder.text("stderr").find("--merge-points=DISTANCE needs a surface") == 0);
+
+  // a bore and a void that are smaller than cells, and a sheet beside a solid
+  const std::string head = "SetFactory(\"OpenCASCADE\");\n";
+  folder.write("bore.geo", head + "Box(1) = {0, 0, 0, 2, 2, 2};\nCylinder(2) = {-1, 1, 1, 4, 0, 0, 0.1};\n"
+                           "Cylinder(3) = {1, -1, 1, 0, 4, 0, 0.1};\nSphere(4) = {0.4, 0.4, 0.4, 0.08};\n"
+                           "BooleanDifference(5) = { Volume{1}; Delete; }{ Volume{2, 3, 4}; Delete; };\n"
+                           "Rectangle(50) = {3, 0, 0, 1, 1};\n");
+  CHECK(folder.run("bore.geo --cells 0.5 --to polycube -o bore.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: bore.geo: 1 face bounds no solid and is left out.") != std::string::npos);
+  CHECK(folder.text("stderr").find("cylinders and spheres have a smaller diameter than the cells.") != std::string::npos);
+  CHECK(folder.run("bore.geo --cells 0.5 --to ball") == 2);
+  CHECK(folder.text("stderr").find("The smallest one is around (0.40") != std::string::npos);
   CHECK(folder.run("none.step --to ball") == 2);
   CHECK(folder.text("stderr") == "none.step: the file cannot be opened\n");
   folder.write("flat.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\n");
@@ -2361,7 +2385,7 @@ TEST_CASE("A body that touches itself is separated on request")
   CHECK(folder.soup("refined.mesh").points[soup.points.size()][2] < 2);
 }
 
-TEST_CASE("If --separate parts nothing, the message names the gaps that touch each other, and closing one helps")
+TEST_CASE("Gaps between cells that touch each other along an edge are joined on request, or closing one helps")
 {
   const Folder folder;
   // a block of 2 x 2 x 3 cubes, two of which are missing in the middle, on either side of an edge
@@ -2384,14 +2408,10 @@ TEST_CASE("If --separate parts nothing, the message names the gaps that touch ea
   };
   write("gaps.mesh", { {0, 0, 1}, {1, 1, 1} });
   write("closed.mesh", { {0, 0, 1} });
-  for(const std::string option : { "", " --separate" })
-  {
-    CHECK(folder.run("gaps.mesh --to ball --refine" + option) == 2);
-    CHECK(folder.text("stderr").find("--separate has no effect. Close a gap by cells at the edge between the vertices 21 and "
-                                     "22") != std::string::npos);
-    CHECK(folder.text("stderr").find("--separate separates them") == std::string::npos);
-  }
-  CHECK(folder.text("stderr").find("note: gaps.mesh: there are no parts to separate") == 0);
+  CHECK(folder.run("gaps.mesh --to polycube") == 2);
+  CHECK(folder.text("stderr").find("--separate separates them") != std::string::npos);
+  CHECK(folder.run("gaps.mesh --to polycube --separate --report report.json -o map.mesh") == 0); // a body with a handle
+  CHECK(number(folder.text("report.json"), "separated_vertices") == 2); // the midpoint, and its copy
   CHECK(folder.run("closed.mesh --to ball --refine") == 0);
 }
 

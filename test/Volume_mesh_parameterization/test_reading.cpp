@@ -9,6 +9,8 @@
 #include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -21,6 +23,7 @@
 #include <iterator>
 #include <limits>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -33,6 +36,7 @@ namespace { namespace of_reading {
 
 using Soup = VMP::Tetrahedron_soup_3;
 using Points = std::vector<std::array<double, 3> >;
+using Exact_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Soup cube_soup(const int n) { return source_soup(cube_mesh(n)); }
@@ -319,6 +323,90 @@ TEST_CASE("A surface whose counts are too large for its file is refused")
   CHECK_THROWS_WITH(read("3 900000000 0\n", "3 0 1 2\n"), message);
   CHECK_THROWS_WITH(read("3 1 0\n", "900000000 0 1 2\n"), message);
   std::filesystem::remove(name);
+}
+
+// Volume that a surface encloses if its triangles are seen counterclockwise from outside.
+double volume_of(const Soup& surface)
+{
+  double result = 0;
+  for(const auto& [u, v, w] : surface.facets)
+  {
+    const auto &p = surface.points[u], &q = surface.points[v], &r = surface.points[w];
+    result += (p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0])) / 6;
+  }
+  return result;
+}
+
+TEST_CASE("Surfaces as other programs write them enclose a body")
+{
+  const auto read = [](const std::string& content, const std::string& extension, const double distance = 0)
+  {
+    const std::string name = "surface_of_test_reading" + extension;
+    std::ofstream(name) << content;
+    Soup result;
+    VMP::IO::read_closed_surface(name, result, distance);
+    std::filesystem::remove(name);
+    return result;
+  };
+  // a unit cube by quadrangles, each with points of its own, which differ by a distance
+  const auto cube = [](const double distance)
+  {
+    std::ostringstream points, faces;
+    int number = 0;
+    for(const std::array<int, 4>& q : { std::array{ 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+                                        { 1, 3, 7, 5 } })
+    {
+      faces << "f";
+      for(const int i : q)
+      {
+        points << "v " << (i & 1) + distance * (number % 3) << " " << (i >> 1 & 1) << " " << (i >> 2) << "\n";
+        faces << " \\\n " << ++number; // a line of OBJ that goes on
+      }
+      faces << "\n";
+    }
+    return points.str() + "v 7 7 7\n" + faces.str(); // with a point that is not used
+  };
+  for(const double distance : { 0., 1e-10 })
+  {
+    const Soup surface = read(cube(distance), ".obj");
+    CHECK(surface.points.size() == 8);
+    CHECK(volume_of(surface) == Approx(1));
+    REQUIRE(surface.notes.size() == 1);
+    CHECK(surface.notes[0].find("points are joined to others") != std::string::npos);
+  }
+  CHECK_THROWS_WITH(read(cube(1e-3), ".obj"), Catch::Matchers::Contains("is not closed, because the edge between the points (")
+                                                && Catch::Matchers::Contains("--merge-points=DISTANCE"));
+  CHECK(volume_of(read(cube(1e-3), ".obj", 0.01)) == Approx(1).margin(0.01));
+
+  // an L of two concave polygons and six quadrangles, of any orientation
+  const std::string L = "OFF\n12 8 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"
+                        "6 5 4 3 2 1 0\n6 7 8 9 10 11 6\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n";
+  CHECK(volume_of(read(L + "4 5 0 6 11\n", ".off")) == Approx(3));
+  const Soup turned = read(L + "4 5 11 6 0\n", ".off");
+  CHECK(volume_of(turned) == Approx(3));
+  CHECK(turned.notes == std::vector<std::string>{ "some triangles of the surface were turned over, and are turned" });
+
+  // a tetrahedron with a point on an edge, where a triangle has no area
+  const Soup flat = read("OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.5 0 0\n3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
+                         ".off");
+  CHECK(flat.facets.size() == 6);
+  for(const auto& [u, v, w] : flat.facets)
+    CHECK_FALSE(CGAL::collinear(Exact_point(flat.points[u][0], flat.points[u][1], flat.points[u][2]),
+                                Exact_point(flat.points[v][0], flat.points[v][1], flat.points[v][2]),
+                                Exact_point(flat.points[w][0], flat.points[w][1], flat.points[w][2])));
+
+  std::string STL = "solid a b\n";
+  for(const std::string vertices : { "0 0 0 0 1 0 1 0 0", "0 0 0 1 0 0 0 0 1", "1 0 0 0 1 0 0 0 1", "0 0 0 0 0 1 0 1 0" })
+  {
+    std::istringstream is(vertices);
+    STL += "facet normal 0 0 0\nouter loop\n";
+    for(std::string x, y, z; is >> x >> y >> z;)
+      STL += "vertex " + x + " " + y + " " + z + "\n";
+    STL += "endloop\nendfacet\n";
+  }
+  CHECK(volume_of(read(STL + "end solid\n", ".stl")) == Approx(1. / 6));
+  CHECK_THROWS_WITH(read("OFF\n4 2 0\n0 0 3\n1 0 3\n1 1 3\n0 1 3\n3 0 1 2\n3 0 2 3\n", ".off"),
+                    Catch::Matchers::Contains("it is in the plane z = 3"));
 }
 
 } } // namespace

@@ -25,7 +25,7 @@ struct Options
   std::vector<std::string> hexahedra;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations = 0;
-  double cell_size = 0, tolerance = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
+  double cell_size = 0, joining_distance = 0, tolerance = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
   bool do_improve = false, do_merge_points = false, do_separate = false, are_displacements = false, do_slide = false;
   bool use_volume_weights = false, minimize_maximum_angle_distortion = false, is_quiet = false;
 };
@@ -160,14 +160,17 @@ inline Command_line command_line(Options& options)
   source.add_options()
     ("cells", po::value(&options.cell_size)->value_name("SIZE")->default_value(0, "a 20th of the diagonal of the box"),
      "the largest edges, about, of the tetrahedra that Gmsh makes of a body, in the unit of its file")
-    ("merge-points", po::bool_switch(&options.do_merge_points), "join cells at points with the same coordinates")
+    ("merge-points", po::value(&options.joining_distance)->value_name("DISTANCE"),
+     "without a value: join cells at points with the same coordinates. With a distance: join points at gaps of surfaces, SOURCE "
+     "or that of --to, that are at most this far from each other, in the unit of the file. Without the option, the distance is a "
+     "tiny part of the surface")
     ("features", po::value(&options.features)->value_name("FILE"),
      "the sharp edges of the source: lines with two vertices, counted from 0. They replace the edges marked in SOURCE.mesh. If "
      "no edges are marked, edges with more than 60 degrees between the normals are sharp")
     ("regions", po::value(&options.regions)->value_name("NAME"),
      "the cell data that are the subdomains, instead of data with a known name, such as material or RegionId")
     ("separate", po::bool_switch(&options.do_separate),
-     "separate parts of the body that touch at a vertex or an edge only, by copies of vertices");
+     "separate parts of the body that touch at a vertex or an edge only, by copies of vertices, and of midpoints of edges");
 
   po::options_description boundary("Boundary", width);
   boundary.add_options()
@@ -263,6 +266,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   // alone, an option with a value would take the argument behind it
   std::vector<std::string> arguments(argv + 1, argv + argc);
   std::replace(arguments.begin(), arguments.end(), std::string("--refine"), std::string("--refine=boundary"));
+  std::replace(arguments.begin(), arguments.end(), std::string("--merge-points"), std::string("--merge-points=0"));
   po::variables_map given;
   po::store(po::command_line_parser(arguments).options(all).positional(positional).run(), given);
   po::notify(given);
@@ -292,6 +296,7 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
   if(options.source.empty() || number_of_ways > 1 || (number_of_ways == 0 && options.conditions.empty()))
     throw std::runtime_error("give SOURCE.mesh and one of TARGET, --to DOMAIN, --improve and --conditions FILE; --help lists "
                              "all options");
+  options.do_merge_points = given.count("merge-points") != 0;
   if(!options.domain.empty() && given["refine"].defaulted())
     options.refinement = "boundary"; // as the library refines for a boundary parameterizer
   if(!options.conditions.empty() && given["others"].defaulted())

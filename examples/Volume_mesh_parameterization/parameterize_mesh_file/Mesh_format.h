@@ -102,6 +102,8 @@ inline std::string advice_for(const std::string& filename)
 // Returns the advice for a source whose boundary is too coarse.
 inline std::string advice_to_refine(const std::string& filename)
 {
+  if(is_body_name(filename))
+    return " --refine does not split edges of this boundary. Smaller cells help: --cells SIZE with half of the size.";
   const bool is_of_Gmsh = format_of(filename) == Mesh_format::GMSH || extension_of(filename) == ".mesh";
   const std::string name = is_of_Gmsh ? filename : "SOURCE.mesh";
   const std::string finer = std::filesystem::path(name).replace_extension(".finer" + extension_of(name)).string();

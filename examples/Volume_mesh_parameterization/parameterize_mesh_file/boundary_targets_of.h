@@ -135,23 +135,20 @@ inline std::string message_of_non_manifold(VMP::Tetrahedron_soup_3 mesh)
   const std::string first = std::to_string(vertices.front());
   const std::string sentence = "The boundary is not a manifold at "
     + counted(vertices.size(), "vertex, number ", "vertices, among them number ") + first + " (counted from 0).";
-  if(!VMP::separate_pinched_vertices(mesh).empty())
+  if(!VMP::separate_pinched_vertices(mesh).empty() || !VMP::split_pinched_edges(mesh).empty())
     return VMP::get_error_message(VMP::ERROR_NON_MANIFOLD_BOUNDARY) + (" " + sentence)
       + " If only vertices or edges join cells there, --separate separates them.";
-  const bool is_edge = vertices.size() == 2 && std::any_of(mesh.cells.begin(), mesh.cells.end(), [&](const auto& cell)
-  { return std::count(cell.begin(), cell.end(), vertices[0]) + std::count(cell.begin(), cell.end(), vertices[1]) == 2; });
-  const std::string location = !is_edge ? "vertex " + first
-    : "the edge between the vertices " + first + " and " + std::to_string(vertices[1]);
   return sentence + " Gaps between cells touch each other there. Facets join all cells around each of these vertices, and "
-    "--separate has no effect. Close a gap by cells at " + location + ", or remove the cells between the gaps. In a labeled "
+    "--separate has no effect. Close a gap by cells at vertex " + first + ", or remove the cells between the gaps. In a labeled "
     "image, change the label of a voxel there.";
 }
 
 // Says why the boundary has no map onto a domain.
-inline std::string message_of_domain(const std::string& domain, const VMP::Error_code status, const VMP::Tetrahedron_soup_3& mesh)
+inline std::string message_of_domain(const std::string& domain, const VMP::Error_code status, const std::string& message,
+                                     const VMP::Tetrahedron_soup_3& mesh)
 {
   return "the boundary cannot be mapped to '" + domain + "': "
-    + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : VMP::get_error_message(status))
+    + (status == VMP::ERROR_NON_MANIFOLD_BOUNDARY ? message_of_non_manifold(mesh) : message)
     + (status == VMP::ERROR_BOUNDARY_NOT_OF_GENUS_ZERO && domain != "polycube"
        ? " --to polycube maps bodies with handles." : "");
 }

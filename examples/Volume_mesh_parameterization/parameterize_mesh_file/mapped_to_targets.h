@@ -19,6 +19,7 @@
 
 #include <CGAL/Bbox_3.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
@@ -181,9 +182,16 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
 {
   const bool is_boundary_mapped = options.domain.empty() || result.number_of_cells > 0;
   if(!is_boundary_mapped && result.status != VMP::ERROR_INTERRUPTED)
-    result.message = message_of_domain(options.domain, result.status, mapped.mesh)
-      + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source) : "");
+    result.message = message_of_domain(options.domain, result.status, result.message, mapped.mesh)
+      + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source)
+         : is_body_name(options.source) && result.status == VMP::ERROR_NON_MANIFOLD_BOUNDARY
+           ? " Cells of another size (--cells) may not touch there."
+         : is_body_name(options.source) && options.domain == "polycube" && result.status == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS
+           ? " If it is a void, --cells with half of its size helps, or filling the void in a CAD program." : "");
   result.message = with_names_of_options(result.message);
+  if(options.do_improve) // which has no targets
+    boost::replace_all(result.message, "Move one of its targets off the line.",
+                       "Flip an edge of this facet, or move one of the vertices off the line; or mesh the body anew.");
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
     result.message += advice_for_inverted_target(mapped);
   if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
@@ -244,7 +252,12 @@ inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options,
   progress.begin(options.domain.empty() ? "numbering cells and vertices, solving for a start"
                                         : "mapping the boundary to " + options.domain);
   if(is_surface_domain(options.domain))
-    mapped.surface = read_surface(options.domain, progress);
+  {
+    mapped.surface = read_closed_surface(options.domain, options.joining_distance, progress);
+    for(const std::string& note : mapped.surface.notes)
+      if(!options.is_quiet)
+        std::cerr << "note: " << options.domain << ": " << note << std::endl;
+  }
   Result& result = mapped.result;
   result = naming(options.source, [&] { return parameterize(mapped, options, landmarks, progress); });
   result.number_of_added_vertices += number_of_splits;

@@ -38,7 +38,8 @@ struct Source
   // the mesh of the file, if cells have other vertices now
   std::optional<VMP::Tetrahedron_soup_3> unmended = {};
   std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
-  std::vector<std::size_t> origins = {};      // origin of each point that was appended
+  // the edge or, twice, the vertex that each appended point was
+  std::vector<std::array<std::size_t, 2> > origins = {};
   Repairs repairs = {};
   std::vector<std::string> notes = {};
 
@@ -53,7 +54,7 @@ struct Source
       return {};
     std::vector<std::size_t> result = { first_points.empty() ? v : first_points[v] };
     for(std::size_t i = 0; i < origins.size(); ++i)
-      if(origins[i] == result.front())
+      if(origins[i] == std::array{ result.front(), result.front() })
         result.push_back(n + i);
     return result;
   }
@@ -70,8 +71,12 @@ struct Source
         throw VMP::Input_error("vertices " + std::to_string(first_points[v]) + " and " + std::to_string(v)
                                + " (counted from 0) are merged, but have different points here");
     }
-    for(const std::size_t v : origins)
+    for(const auto& [v, w] : origins)
+    {
       points.push_back(std::array<double, 3>(points[v]));
+      for(std::size_t i = 0; i < 3 && v != w; ++i)
+        points.back()[i] = (points[v][i] + points[w][i]) / 2;
+    }
     return points;
   }
 
@@ -158,7 +163,17 @@ inline void separate(Source& source)
 {
   if(!source.unmended)
     source.unmended = source.soup;
-  source.origins = VMP::separate_pinched_vertices(source.soup);
+  const auto separate_vertices = [&]
+  {
+    for(const std::size_t v : VMP::separate_pinched_vertices(source.soup))
+      source.origins.push_back({ v, v });
+  };
+  separate_vertices();
+  if(const auto edges = VMP::split_pinched_edges(source.soup); !edges.empty())
+  {
+    source.origins.insert(source.origins.end(), edges.begin(), edges.end());
+    separate_vertices();
+  }
   source.repairs.number_of_separated_vertices = source.origins.size();
   source.notes.push_back(source.origins.empty()
     ? "there are no parts to separate, because facets join the cells around each vertex"
@@ -206,7 +221,7 @@ inline Source mended_source(VMP::Tetrahedron_soup_3 soup, const Options& options
 {
   Source source = { std::move(soup) };
   source.notes = source.soup.notes;
-  if(options.do_merge_points)
+  if(options.do_merge_points && !is_body_name(options.source))
     merge_points(source);
   merge_cells(source);
   turn_cells(source, options.do_improve);

@@ -168,6 +168,12 @@ inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
   throw Interruption();
 }
 
+// A library did not finish in time. Another attempt would take as long.
+struct Out_of_time : VMP::Input_error
+{
+  using VMP::Input_error::Input_error;
+};
+
 // Returns the mesh that `read(mesh)` reads from a file by a library, in a process of its own. Where the library also makes the
 // mesh, it has more time.
 template <typename Read>
@@ -201,7 +207,7 @@ read_in_own_process(const std::string& filename, const std::string& library, con
     throw VMP::Input_error(library + " ran out of memory on a file of " + std::to_string(size) + " bytes"
                            + note_of_large_number(filename, size));
   if(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw VMP::Input_error(library + " did not finish within " + std::to_string(seconds) + " s of processor time. "
+    throw Out_of_time(library + " did not finish within " + std::to_string(seconds) + " s of processor time. "
                            + (makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged"));
   throw VMP::Input_error(library + " crashed"
                          + (WIFSIGNALED(status) ? std::string(" (") + strsignal(WTERMSIG(status)) + ")" : std::string())

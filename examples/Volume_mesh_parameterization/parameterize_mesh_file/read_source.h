@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <exception>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -112,21 +113,50 @@ inline VMP::Tetrahedron_soup_3 read_mesh(const std::string& filename, Progress_l
   }
 }
 
-// Reads a surface by CGAL, whose readers take the memory that a damaged file asks for.
+// Reads a surface as it is by CGAL, whose readers take the memory that a damaged file asks for.
 inline VMP::Tetrahedron_soup_3 read_surface(const std::string& filename, const Progress_line& progress)
 {
   return naming(filename, [&]
   { return read_in_own_process(filename, "CGAL", progress, [&](auto& soup) { VMP::IO::read_surface(filename, soup); }); });
 }
 
-// Fills the body of a CAD file or of a closed surface with tetrahedra. Without Gmsh, the error has the advice.
+// Reads a surface that encloses a body, and repairs it.
+inline VMP::Tetrahedron_soup_3 read_closed_surface(const std::string& filename, const double joining_distance,
+                                                   const Progress_line& progress)
+{
+  return naming(filename, [&]
+  {
+    return read_in_own_process(filename, "CGAL", progress,
+                               [&](auto& soup) { VMP::IO::read_closed_surface(filename, soup, joining_distance); });
+  });
+}
+
+// Fills the body of a CAD file or of a closed surface with tetrahedra. A second attempt follows if Gmsh fails or crashes. Without
+// Gmsh, the error has the advice.
 inline VMP::Tetrahedron_soup_3 filled_body(const Options& options, Progress_line& progress)
 {
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
+  const auto fill = [&](const bool is_second_attempt)
+  {
+    return read_in_own_process(options.source, "Gmsh", progress, [&](auto& soup)
+    { gmsh_module().fill(options.source, soup, options.cell_size, options.joining_distance, is_second_attempt); }, true);
+  };
   return naming(options.source, [&]
   {
-    return read_in_own_process(options.source, "Gmsh", progress,
-                               [&](auto& soup) { gmsh_module().fill(options.source, soup, options.cell_size); }, true);
+    try { return fill(false); }
+    catch(const Out_of_time&) { throw; }
+    catch(const VMP::Input_error&)
+    {
+      const std::exception_ptr failure = std::current_exception();
+      try
+      {
+        VMP::Tetrahedron_soup_3 soup = fill(true);
+        soup.notes.push_back("Gmsh failed in its first attempt. The second one, with another algorithm, succeeded");
+        return soup;
+      }
+      catch(const VMP::Input_error&) {}
+      std::rethrow_exception(failure);
+    }
   });
 #else
   return read_mesh(options.source, progress);

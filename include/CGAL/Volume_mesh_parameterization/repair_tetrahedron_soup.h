@@ -331,6 +331,41 @@ std::size_t separate_pinched_vertices(C3t3& c3t3)
   return number_of_new_vertices;
 }
 
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// splits edges of the boundary with more than two facets. Gaps between cells touch each other there. Where facets join all cells
+/// at both ends, `separate_pinched_vertices()` separates the cells at the new point only.
+///
+/// \param soup the mesh, whose cells are all positive; midpoints, or points near them, are appended
+///
+/// \return for each appended point, the ends of the edge
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+inline std::vector<std::array<std::size_t, 2> > split_pinched_edges(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  internal::Body_3 body = internal::body_of_arrays(soup.points, soup.cells, soup.edges);
+  std::vector<std::array<std::size_t, 2> > edges, result;
+  internal::for_each_edge(body.boundary, [&](const auto begin, const auto end)
+  {
+    if(end - begin > 2)
+      edges.push_back(begin->first);
+  });
+  internal::Refinement_3 refinement(body);
+  std::vector<internal::Insertion_3> insertions;
+  for(const auto& [v, w] : edges)
+  {
+    const internal::Simplex_3 edge = { v, w };
+    if(const auto insertion = refinement.insert(edge, refinement.cells_around(edge)))
+    {
+      insertions.push_back(*insertion);
+      result.push_back({ v, w });
+    }
+  }
+  internal::insert_points(std::move(body), insertions, soup);
+  return result;
+}
+
 } // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_REPAIR_TETRAHEDRON_SOUP_H

@@ -3,12 +3,15 @@
 
 #include <CGAL/Polycube_meshing_3/make_hexahedral_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/Cube_boundary_parameterizer_3.h>
+#include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/Symmetric_Dirichlet_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/Triangulated_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 
 #include <CGAL/property_map.h>
+
+#include <fstream>
 
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_COMPILED_ENGINE
 #  error "This unit is header-only."
@@ -48,4 +51,13 @@ bool has_slid_by_headers()
     CGAL::parameters::vertex_condition_map(CGAL::make_property_map(conditions)).verbose(true)
                      .energy(VMP::Symmetric_Dirichlet_energy_3()));
   return result.status == VMP::OK && VMP::measure_distortion(points, cells, images).angle_max < 2.1;
+}
+
+// Returns whether triangles cover the concave polygons of a surface.
+bool has_read_surface_by_headers()
+{
+  std::ofstream("wedge.off") << "OFF\n8 6 0\n0 0 0\n2 0 0\n.5 .5 0\n0 2 0\n0 0 1\n2 0 1\n.5 .5 1\n0 2 1\n"
+                                "4 1 0 3 2\n4 5 6 7 4\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  VMP::Tetrahedron_soup_3 surface;
+  return VMP::IO::read_closed_surface("wedge.off", surface) && surface.facets.size() == 12;
 }

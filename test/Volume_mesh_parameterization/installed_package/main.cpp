@@ -19,6 +19,7 @@ Points polycube_by_headers();
 Points polycube_by_engine();
 std::size_t number_of_hexahedra_by_headers();
 bool has_slid_by_headers();
+bool has_read_surface_by_headers();
 Eigen::MatrixXd square_of_ones(int n);
 double sum_of_solution(int n);
 int number_of_iterations();
@@ -36,7 +37,7 @@ int main()
 {
   Eigen::MatrixXd square = square_of_ones(50); // allocated there, freed here
   const bool is_right = square(7, 9) == 50 && number_of_iterations() == 200 && number_of_hexahedra_by_headers() > 0
-                        && has_slid_by_headers() && address_of_headers() != address_of_engine();
+                        && has_slid_by_headers() && has_read_surface_by_headers() && address_of_headers() != address_of_engine();
   square.resize(300, 300);
   const double distance = distance_of(images_by_headers(), images_by_engine());
   const double distance_of_polycubes = distance_of(polycube_by_headers(), polycube_by_engine());

@@ -18,7 +18,21 @@
 #include <filesystem>
 #include <fstream>
 
-namespace CGAL::Volume_mesh_parameterization::IO {
+namespace CGAL::Volume_mesh_parameterization {
+namespace internal {
+
+// Gmsh itself reports no reason.
+inline void require_readable(const std::string& filename)
+{
+  if(!std::filesystem::exists(filename) || !std::ifstream(filename))
+    throw Input_error(sentence_on_unopened_file());
+  if(!std::filesystem::is_regular_file(filename))
+    throw Input_error("Gmsh reads regular files only");
+}
+
+} // namespace internal
+
+namespace IO {
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
@@ -33,10 +47,7 @@ namespace CGAL::Volume_mesh_parameterization::IO {
 ///            Gmsh may crash or never finish.
 inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 {
-  if(!std::filesystem::exists(filename))
-    throw Input_error("the file cannot be opened");
-  if(!std::filesystem::is_regular_file(filename))
-    throw Input_error("Gmsh reads regular files only");
+  internal::require_readable(filename);
   // Gmsh takes other files with such a name for scripts, and runs them
   const bool is_MSH = std::filesystem::path(filename).extension().string().find(".msh") == 0;
   if(is_MSH && std::ifstream(filename).peek() != '$')
@@ -53,6 +64,10 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 /// fills the body of a file with tetrahedra, by Gmsh. The file has solids of a CAD program (`.step`, `.stp`, `.iges`, `.igs`,
 /// `.brep`), is a script of Gmsh that makes solids (`.geo`), or has a closed surface (`.stl`, `.off`, `.obj`, `.ply`, `.vtp`).
 ///
+/// A surface is repaired as by `read_closed_surface()`, but may touch itself. Lengths keep the unit of a STEP file if it is metre,
+/// centimetre, millimetre or inch. If faces of cylinders or spheres have a smaller diameter than the cells, circles get eight
+/// edges.
+///
 /// Solids that touch share faces of the mesh. References are the numbers of solids, faces and curves in Gmsh, with the names of
 /// solids, or physical groups of a script. Curves between faces are marked edges. A surface has no references and no marked edges.
 ///
@@ -60,22 +75,24 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 /// \param soup gets the mesh
 /// \param cell_size the largest length of edges, about, up to a tenth of the diagonal of the bounding box; with 0,
 ///        `Mesh.MeshSizeMax` of the script, or else a twentieth of the diagonal
+/// \param joining_distance the distance up to which points at gaps of a surface are joined if that closes it; 0 stands for a tiny
+///        part of the surface
+/// \param is_second_attempt whether another algorithm is tried, after a failure; triangles of a surface stay then
 ///
-/// \pre `cell_size` is not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
+/// \pre `cell_size` and `joining_distance` are not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 ///
 /// \exception Input_error names the fault, if possible in the words of Gmsh, and a remedy; \c soup is then unchanged. Gmsh may
 ///            crash or never finish. A script of Gmsh may run other programs.
-inline void mesh_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup, const double cell_size = 0)
+inline void mesh_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup, const double cell_size = 0,
+                         const double joining_distance = 0, const bool is_second_attempt = false)
 {
-  internal::require(cell_size >= 0, "cell_size must not be negative.");
-  if(!std::filesystem::exists(filename))
-    throw Input_error("the file cannot be opened");
-  if(!std::filesystem::is_regular_file(filename))
-    throw Input_error("Gmsh reads regular files only");
+  internal::require(cell_size >= 0 && joining_distance >= 0, "cell_size and joining_distance must not be negative.");
+  internal::require_readable(filename);
   if(internal::is_surface_name(filename))
-    soup = internal::filled_surface(internal::read_surface(filename, internal::Budget()), cell_size);
+    soup = internal::filled_surface(internal::read_closed_surface(filename, joining_distance, internal::Budget(), true),
+                                    { cell_size, is_second_attempt });
   else if(internal::has_extension(filename, { ".step", ".stp", ".iges", ".igs", ".brep", ".geo" }))
-    soup = internal::filled_solids(filename, cell_size);
+    soup = internal::filled_solids(filename, { cell_size, is_second_attempt });
   else
     throw Input_error("the extension is not one of a body that Gmsh fills");
 }
@@ -112,6 +129,7 @@ inline void write_MSH(std::ostream& os, const Tetrahedron_soup_3& mesh, const do
   });
 }
 
-} // namespace CGAL::Volume_mesh_parameterization::IO
+} // namespace IO
+} // namespace CGAL::Volume_mesh_parameterization
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_IO_GMSH_H

@@ -47,8 +47,31 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<std::size_t> non_manifold_p
   return result;
 }
 
+// Returns the box around the smallest part of the boundary.
+inline Box_3 box_of_smallest_part(const Body_3& body)
+{
+  Disjoint_sets sets(body.points.size());
+  std::map<std::size_t, Box_3> boxes;
+  for(const auto& [u, v, w] : body.boundary)
+  {
+    sets.unite(u, v);
+    sets.unite(v, w);
+  }
+  for(const auto& facet : body.boundary)
+    for(const std::size_t v : facet)
+      boxes[sets.find(v)].extend(to_vector(body.points[v]));
+  return std::min_element(boxes.begin(), boxes.end(), [](const auto& a, const auto& b)
+                          { return a.second.diagonal().norm() < b.second.diagonal().norm(); })->second;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, const Error_code status)
 {
+  if(status == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
+  {
+    const Box_3 box = box_of_smallest_part(body);
+    return sentence(" The smallest one is around ", describe(box.center()), ", and the diagonal of its box is ",
+                    box.diagonal().norm(), ".");
+  }
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
   const std::vector<std::size_t> points = non_manifold_points(body);

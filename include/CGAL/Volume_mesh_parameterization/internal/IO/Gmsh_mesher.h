@@ -15,7 +15,37 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 
+#include <cctype>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
+
+// How Gmsh is to fill a body. After a failure, another algorithm may succeed.
+struct Gmsh_attempt
+{
+  double cell_size = 0;
+  bool is_second = false;
+};
+
+// Returns the unit of lengths in a file of STEP by its name in Open CASCADE; nothing for millimetres, to which it converts others.
+inline std::string unit_of_STEP(const std::string& filename)
+{
+  std::ifstream is(filename);
+  std::set<std::string> units;
+  for(std::string entity; std::getline(is, entity, ';');)
+  {
+    if(entity.find("LENGTH_UNIT") == entity.npos)
+      continue;
+    const auto is_blank = [](const unsigned char c) { return std::isspace(c) != 0; };
+    entity.erase(std::remove_if(entity.begin(), entity.end(), is_blank), entity.end());
+    for(const auto& [text, unit] : { std::pair("CONVERSION_BASED_UNIT('INCH'", "INCH"), { "SI_UNIT(.MILLI.,.METRE.)", "" },
+                                     { "SI_UNIT(.CENTI.,.METRE.)", "CM" }, { "SI_UNIT($,.METRE.)", "M" } })
+      if(entity.find(text) != entity.npos)
+        units.insert(unit);
+  }
+  if(units.count("INCH") > 0) // which is a multiple of another unit in the file
+    return "INCH";
+  return units.size() == 1 ? *units.begin() : "";
+}
 
 // Loads the solids of a file into the model. Faces without solids, as in files of IGES, are sewn. Solids that touch get common
 // faces; a script of Gmsh decides that itself.
@@ -27,6 +57,8 @@ inline void load_solids(const std::string& filename)
     gmsh::clear();
     gmsh::option::setNumber("Geometry.OCCSewFaces", makes_solids);
     gmsh::option::setNumber("Geometry.OCCMakeSolids", makes_solids);
+    if(has_extension(filename, { ".step", ".stp" }))
+      gmsh::option::setString("Geometry.OCCTargetUnit", unit_of_STEP(filename));
     gmsh::merge(filename);
     gmsh::model::getEntities(solids, 3);
     if(!solids.empty())
@@ -61,51 +93,86 @@ inline std::set<int> seams()
   return result;
 }
 
+// Returns a note on faces of the model that bound no solid, such as sheets; nothing if there are none.
+inline std::string note_of_sheets()
+{
+  gmsh::vectorpair faces;
+  gmsh::model::getEntities(faces, 2);
+  const auto number = std::count_if(faces.begin(), faces.end(), [](const auto& face)
+  {
+    std::vector<int> solids, curves;
+    gmsh::model::getAdjacencies(2, face.second, solids, curves);
+    return solids.empty();
+  });
+  return number == 0 ? "" : counted(number, "face bounds no solid and is", "faces bound no solid and are")
+    + " left out. If a solid is missing, close the gaps between its faces in a CAD program";
+}
+
+// Returns the number of faces that go around half of a cylinder or more, or of a sphere, with a smaller diameter than the cells.
+// These are faces of thin bores, pins and small voids.
+inline std::size_t number_of_thin_faces(const double cell_size)
+{
+  gmsh::vectorpair faces;
+  gmsh::model::getEntities(faces, 2);
+  std::size_t result = 0;
+  for(const auto& [dimension, face] : faces)
+  {
+    std::string type;
+    std::vector<double> begin, end, curvature;
+    gmsh::model::getType(dimension, face, type);
+    if(type != "Cylinder" && type != "Sphere")
+      continue;
+    gmsh::model::getParametrizationBounds(dimension, face, begin, end); // the first parameter is the angle
+    gmsh::model::getCurvature(dimension, face, { (begin[0] + end[0]) / 2, (begin[1] + end[1]) / 2 }, curvature);
+    constexpr double half_turn = 0.99 * CGAL_PI; // up to rounding
+    result += end[0] - begin[0] > half_turn && std::abs(curvature[0]) * cell_size > 2;
+  }
+  return result;
+}
+
 // Fills the volumes of the model with tetrahedra. Without a size, that of a script counts, or else a guess: some ten thousand
-// tetrahedra fill a box.
-inline void generate_tetrahedra(const double cell_size)
+// tetrahedra fill a box. Returns a note, or nothing.
+inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
 {
   std::array<double, 3> low, high;
   gmsh::model::getBoundingBox(-1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
   const double diagonal = (to_vector(high) - to_vector(low)).norm();
-  double size;
+  double size, edges_of_script;
   gmsh::option::getNumber("Mesh.MeshSizeMax", size);
+  gmsh::option::getNumber("Mesh.MeshSizeFromCurvature", edges_of_script);
   if(size > diagonal)
     size = diagonal / 20;
-  gmsh::option::setNumber("Mesh.MeshSizeMax", cell_size > 0 ? cell_size : size);
+  if(attempt.cell_size > 0)
+    size = attempt.cell_size;
+  constexpr double MeshAdapt = 1; // Gmsh's manual calls this algorithm for faces the most robust one
+  if(attempt.is_second)
+    gmsh::option::setNumber("Mesh.Algorithm", MeshAdapt);
+  gmsh::option::setNumber("Mesh.MeshSizeMax", size);
+  std::string note;
+  if(const std::size_t number = number_of_thin_faces(size); number > 0 && edges_of_script == 0)
+  {
+    constexpr int number_of_edges = 8; // a guess; four charts of a polycube around a bore need two edges each
+    gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", number_of_edges);
+    note = counted(number, "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. Cells "
+      "are smaller there, with " + std::to_string(number_of_edges) + " edges around a circle";
+  }
   gmsh::model::mesh::generate(3);
+  return note;
 }
 
 // Fills the solids of a CAD file. Their curves are edges of the soup.
-inline Tetrahedron_soup_3 filled_solids(const std::string& filename, const double cell_size)
+inline Tetrahedron_soup_3 filled_solids(const std::string& filename, const Gmsh_attempt& attempt)
 {
   return with_Gmsh([&]
   {
     load_solids(filename);
-    generate_tetrahedra(cell_size);
-    return Gmsh_reader(seams()).read();
+    const std::string note_of_circles = generate_tetrahedra(attempt);
+    Tetrahedron_soup_3 result = Gmsh_reader(seams()).read();
+    for(const std::string& note : { note_of_sheets(), note_of_circles })
+      if(!note.empty())
+        result.notes.push_back(note);
+    return result;
   }, "; save the solids anew in a CAD program, or try cells of another size");
-}
-
-// Throws unless each edge of a surface has two triangles. Those with less than three vertices are removed.
-inline void require_closed(Tetrahedron_soup_3& surface)
-{
-  Triangles& triangles = surface.facets;
-  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [](const auto& t)
-                                 { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }), triangles.end());
-  if(triangles.empty())
-    throw Input_error("the surface has no triangle");
-  for_each_edge(triangles, [&](const auto begin, const auto end)
-  {
-    const auto point = [&](const std::size_t i)
-    { return describe(to_vector(surface.points[triangles[begin->second[i] / 3][begin->second[i] % 3]])); };
-    if(end - begin != 2)
-      throw Input_error("the surface is not closed, because the edge between the points " + point(0) + " and " + point(1) + " has "
-                        + counted(end - begin, "triangle", "triangles") + " instead of 2. Merge points that nearly coincide, or "
-                        "close the hole");
-  });
-  if(!Triangulated_surface(triangles).is_oriented())
-    surface.notes.push_back("some triangles of the surface are turned over. Tetrahedra fill what all triangles enclose");
 }
 
 // Makes the space that a surface encloses a volume of the model. Each part of the surface is a discrete face; or faces by angles
@@ -145,15 +212,14 @@ inline void load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshe
 
 // Fills a closed surface with new triangles on it. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
 // that Gmsh returns are left out, as they are not those of the user.
-inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const double cell_size)
+inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_attempt& attempt)
 {
-  require_closed(surface);
   const auto filled = [&](const bool is_meshed_anew)
   {
     return with_Gmsh([&]
     {
       load_enclosed(surface, is_meshed_anew);
-      generate_tetrahedra(cell_size);
+      generate_tetrahedra(attempt);
       Tetrahedron_soup_3 result = Gmsh_reader().read();
       result.cell_references.assign(result.cells.size(), 0);
       result.facets.clear();
@@ -164,15 +230,11 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const doubl
       return result;
     }, "; the surface must enclose one body, with or without cavities, and must not touch or cross itself");
   };
-  try
-  {
-    return filled(true);
-  }
-  catch(const Input_error&)
-  {
-    surface.notes.push_back("Gmsh makes no new triangles on this surface. The tetrahedra have the triangles of the file");
-    return filled(false);
-  }
+  if(!attempt.is_second)
+    try { return filled(true); }
+    catch(const Input_error&) {}
+  surface.notes.push_back("Gmsh makes no new triangles on this surface. The tetrahedra have the triangles of the file");
+  return filled(false);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -21,6 +21,7 @@
 #  include <cerrno>
 #endif
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -96,13 +97,20 @@ inline std::string read_text(std::istream& is, const Budget& budget, const std::
   return text;
 }
 
+// Returns the reason why the last file was not opened.
+inline std::string sentence_on_unopened_file()
+{
+  return errno == EACCES ? "the file cannot be opened, because its permissions exclude this user; chmod u+r allows it"
+                         : "the file cannot be opened";
+}
+
 // All of a file. Where a pipe has nothing to read yet, and perhaps never will, the budget is asked again and again.
 inline std::string read_file(const std::string& filename, const Budget& budget)
 {
 #ifdef _WIN32
   std::ifstream is(filename, std::ios::binary);
   if(!is)
-    throw Input_error("the file cannot be opened");
+    throw Input_error(sentence_on_unopened_file());
   return read_text(is, budget);
 #else
   struct File
@@ -111,7 +119,7 @@ inline std::string read_file(const std::string& filename, const Budget& budget)
     ~File() { close(descriptor); }
   } const file = { open_file(filename, O_RDONLY) };
   if(file.descriptor < 0)
-    throw Input_error("the file cannot be opened");
+    throw Input_error(sentence_on_unopened_file());
   constexpr int milliseconds = 50; // a guess; between two looks at the budget
   constexpr std::size_t chunk = 1 << 16; // a guess; number of bytes
   std::string text;

@@ -1,0 +1,214 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REPAIR_SURFACE_IMPL_H
+#define CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REPAIR_SURFACE_IMPL_H
+
+#include <CGAL/license/Volume_mesh_parameterization.h>
+
+#include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+
+namespace CGAL::Volume_mesh_parameterization::internal {
+
+using Repair_kernel = Exact_predicates_inexact_constructions_kernel;
+using Repaired_mesh = Surface_mesh<Repair_kernel::Point_3>;
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Triangles triangles_of_polygon(const Points& polygon)
+{
+  Repaired_mesh mesh;
+  std::vector<Repaired_mesh::Vertex_index> vertices;
+  for(const auto& [x, y, z] : polygon)
+    vertices.push_back(mesh.add_vertex({ x, y, z }));
+  Triangles result;
+  if(!Polygon_mesh_processing::triangulate_face(mesh.add_face(vertices), mesh))
+    return result;
+  for(const auto face : mesh.faces())
+  {
+    result.emplace_back();
+    auto corner = result.back().begin();
+    for(const auto v : vertices_around_face(mesh.halfedge(face), mesh))
+      *corner++ = static_cast<std::size_t>(v);
+  }
+  return result;
+}
+
+// Points and triangles as CGAL's functions for soups take them.
+struct Polygon_soup
+{
+  std::vector<Repair_kernel::Point_3> points;
+  std::vector<std::vector<std::size_t> > polygons;
+
+  explicit Polygon_soup(const Tetrahedron_soup_3& surface)
+  {
+    for(const auto& [x, y, z] : surface.points)
+      points.emplace_back(x, y, z);
+    for(const auto& [u, v, w] : surface.facets)
+      polygons.push_back({ u, v, w });
+  }
+
+  void assign_to(Tetrahedron_soup_3& surface) const
+  {
+    surface.points.clear();
+    for(const Repair_kernel::Point_3& p : points)
+      surface.points.push_back({ p.x(), p.y(), p.z() });
+    surface.facets.clear();
+    for(const std::vector<std::size_t>& polygon : polygons)
+      surface.facets.push_back({ polygon[0], polygon[1], polygon[2] });
+    surface.facet_references.assign(surface.facets.size(), 0);
+  }
+};
+
+// Returns whether `is_right(n)` for each number n of triangles at an edge.
+template <typename Predicate>
+bool for_all_edges(const Tetrahedron_soup_3& surface, const Predicate& is_right)
+{
+  bool result = !surface.facets.empty();
+  for_each_edge(surface.facets, [&](const auto begin, const auto end) { result = result && is_right(end - begin); });
+  return result;
+}
+
+// A closed surface may touch itself at edges.
+inline bool is_closed(const Tetrahedron_soup_3& surface)
+{ return for_all_edges(surface, [](const auto n) { return n % 2 == 0; }); }
+
+inline bool is_manifold(const Tetrahedron_soup_3& surface)
+{ return for_all_edges(surface, [](const auto n) { return n == 2; }); }
+
+// Moves triangles to the first of the points at gaps that chains of steps shorter than a distance join. Points in the boxes of a
+// grid with this spacing find each other in neighboring boxes.
+inline void join_points_at_gaps(Tetrahedron_soup_3& surface, const double distance)
+{
+  std::set<std::size_t> at_gaps;
+  for_each_edge(surface.facets, [&](const auto begin, const auto end)
+  {
+    if((end - begin) % 2 != 0)
+      at_gaps.insert(begin->first.begin(), begin->first.end());
+  });
+  Disjoint_sets sets(surface.points.size());
+  std::map<std::array<double, 3>, std::vector<std::size_t> > grid;
+  for(const std::size_t v : at_gaps)
+  {
+    std::array<double, 3> box;
+    for(std::size_t i = 0; i < 3; ++i)
+      box[i] = std::floor(surface.points[v][i] / distance);
+    for(int neighbor = 0; neighbor < 27; ++neighbor)
+      if(const auto found = grid.find({ box[0] + neighbor % 3 - 1, box[1] + neighbor / 3 % 3 - 1, box[2] + neighbor / 9 - 1 });
+         found != grid.end())
+        for(const std::size_t w : found->second)
+          if(squared_distance(surface.points[v], surface.points[w]) <= distance * distance)
+            sets.unite(v, w);
+    grid[box].push_back(v);
+  }
+  for(auto& triangle : surface.facets)
+    for(std::size_t& v : triangle)
+      v = sets.find(v);
+}
+
+// Removes triangles without three vertices, and points without triangles.
+inline void remove_unused(Tetrahedron_soup_3& surface)
+{
+  Triangles& triangles = surface.facets;
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [](const auto& t)
+                                 { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }), triangles.end());
+  surface.facet_references.assign(triangles.size(), 0);
+  remove_unused_points(surface);
+}
+
+inline void join_points(Tetrahedron_soup_3& surface, const double given_distance)
+{
+  if(is_manifold(surface))
+    return;
+  const std::size_t n = surface.points.size();
+  const auto add_note = [&](Tetrahedron_soup_3& joined, const std::string& distance)
+  {
+    if(joined.points.size() < n)
+      joined.notes.push_back(counted(n - joined.points.size(), "point is", "points are") + " joined to " + distance);
+  };
+  Tetrahedron_soup_3 joined = surface;
+  Polygon_soup soup(surface);
+  Polygon_mesh_processing::repair_polygon_soup(soup.points, soup.polygons);
+  soup.assign_to(joined);
+  if(is_closed(joined) || given_distance > 0)
+    surface = joined;
+  if(is_closed(joined))
+    return add_note(surface, "others with the same coordinates");
+  const auto diagonal = [&]
+  {
+    Bbox_3 box;
+    for(const Repair_kernel::Point_3& p : soup.points)
+      box += p.bbox();
+    return std::sqrt(square(box.xmax() - box.xmin()) + square(box.ymax() - box.ymin()) + square(box.zmax() - box.zmin()));
+  };
+  const std::vector<double> parts = { 1e-9, 1e-7, 1e-5 }; // guesses: rounding of double and single precision, and of short texts
+  for(const double part : given_distance > 0 ? std::vector<double>{ 1 } : parts)
+  {
+    const double distance = given_distance > 0 ? given_distance : part * diagonal();
+    Tetrahedron_soup_3 nearby = joined;
+    join_points_at_gaps(nearby, distance);
+    remove_unused(nearby);
+    if(!is_closed(nearby))
+      continue;
+    surface = nearby;
+    return add_note(surface, "others within " + sentence(distance) + ", which closes the surface");
+  }
+}
+
+// Turns triangles until all turn alike. Only edges with two triangles are known to allow this.
+inline void turn_triangles(Tetrahedron_soup_3& surface)
+{
+  if(!is_manifold(surface) || Triangulated_surface(surface.facets).is_oriented())
+    return;
+  Polygon_soup soup(surface);
+  Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  soup.assign_to(surface);
+  surface.notes.push_back("some triangles of the surface were turned over, and are turned");
+}
+
+inline void remove_flat_triangles(Tetrahedron_soup_3& surface)
+{
+  Polygon_soup soup(surface);
+  const std::ptrdiff_t number = std::count_if(soup.polygons.begin(), soup.polygons.end(), [&](const auto& triangle)
+  { return collinear(soup.points[triangle[0]], soup.points[triangle[1]], soup.points[triangle[2]]); });
+  if(number == 0 || !is_manifold(surface) || !Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons))
+    return;
+  Repaired_mesh mesh;
+  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  if(!Polygon_mesh_processing::remove_degenerate_faces(mesh))
+    return;
+  mesh.collect_garbage();
+  soup.points.clear();
+  soup.polygons.clear();
+  Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, soup.points, soup.polygons);
+  soup.assign_to(surface);
+  surface.notes.push_back(counted(number, "triangle of the surface has", "triangles of the surface have")
+                          + " no area, and edges are flipped or joined there");
+}
+
+CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE void repair_surface(Tetrahedron_soup_3& surface, const double distance)
+{
+  remove_unused(surface);
+  join_points(surface, distance);
+  turn_triangles(surface);
+  remove_flat_triangles(surface);
+}
+
+} // namespace CGAL::Volume_mesh_parameterization::internal
+
+#endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_IO_REPAIR_SURFACE_IMPL_H
