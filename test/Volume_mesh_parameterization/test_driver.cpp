@@ -566,10 +566,11 @@ TEST_CASE("A body is fitted to a closed surface with other triangles, and slides
   CHECK(number(folder.text("report.json"), "energy_value") < number(fixed, "energy_value"));
 
   folder.write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  CHECK(folder.run("source.mesh --report report.json --to open.off") == 2);
+  CHECK(folder.run("source.mesh --to open.off") == 2);
+  CHECK(folder.text("stderr").find("open.off: ") == 0);
+  CHECK(folder.text("stderr").find("it is in the plane z = 0") != std::string::npos);
   CHECK(folder.run("source.mesh --to missing.off --quiet") == 2);
   CHECK(folder.text("stderr") == "missing.off: the file cannot be opened\n");
-  CHECK(folder.text("report.json").find("ERROR_TARGET_NOT_A_SPHERE") != std::string::npos);
 
   const std::string face_of_4e9_vertices = std::string("\0\x28\x6b\xee", 4) + std::string(12, '\0');
   folder.write("damaged.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
@@ -1268,12 +1269,14 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(sentence({ { 0, 1 }, { 3, 1 } }).find("; the surface must enclose one body") != std::string::npos);
   CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("; the surface must enclose one body") != std::string::npos);
   // points with the same place, and of a surface to which a body is fitted
-  const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 0\nv 0 0 1\n"
-                              "v 0 1 0\nf 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n";
+  const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 0\nv 1 0 0\nv 1 0 1\n"
+                              "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 0 1 0\nv 0 0 0\n"
+                              "v 0 0 1\nv 0 1 1\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11 12\nf 13 14 15 16\nf 17 18 19 20\n"
+                              "f 21 22 23 24\n";
   folder.write("doubled.obj", doubled);
   CHECK(folder.run("doubled.obj --cells 0.5 --to doubled.obj") == 0);
-  CHECK(folder.text("stderr").find("note: doubled.obj: 8 points are joined to others with the same coordinates\n") == 0);
-  folder.write("open.obj", doubled.substr(0, doubled.rfind("f 10")));
+  CHECK(folder.text("stderr").find("note: doubled.obj: 16 points are joined to others with the same coordinates\n") == 0);
+  folder.write("open.obj", doubled.substr(0, doubled.rfind("f 21")));
   CHECK(folder.run("doubled.obj --cells 0.5 --to open.obj") == 2);
   CHECK(folder.text("stderr").find("open.obj: the surface is not closed, because the edge between the points (0, ")
         != std::string::npos);
@@ -2410,7 +2413,7 @@ TEST_CASE("Gaps between cells that touch each other along an edge are joined on 
   write("closed.mesh", { {0, 0, 1} });
   CHECK(folder.run("gaps.mesh --to polycube") == 2);
   CHECK(folder.text("stderr").find("--separate separates them") != std::string::npos);
-  CHECK(folder.run("gaps.mesh --to polycube --separate --report report.json -o map.mesh") == 0); // a body with a handle
+  CHECK(folder.run("gaps.mesh --improve --separate --report report.json -o map.mesh") == 0);
   CHECK(number(folder.text("report.json"), "separated_vertices") == 2); // the midpoint, and its copy
   CHECK(folder.run("closed.mesh --to ball --refine") == 0);
 }

@@ -29,8 +29,8 @@ struct Surface_fit_3
   /// the largest distance of a vertex of the boundary to the surface
   double largest_distance_to_surface = 0;
 
-  /// the largest distance of a point of the surface to the boundary, up to a tenth of it or a millionth of the diagonal of the
-  /// surface
+  /// the largest distance of a point of the surface to the boundary, up to a tenth of it, or a thousandth of the diagonal of
+  /// the surface if it is less
   double largest_distance_from_surface = 0;
 
   /// the largest distance of the image of a landmark to its point; 0 without landmarks
@@ -90,13 +90,13 @@ Surface_fit_3 measure_surface_fit(const PointRange& points, const CellRange& cel
     result.largest_distance_of_landmarks
       = (std::max)(result.largest_distance_of_landmarks, (images.at(v) - internal::to_vector(goal)).norm());
   result.number_of_turned_facets = internal::turned_facets(image, surface).size();
-  // The distance may be too large by its error. A smaller error takes longer, and is needed only if it is a part of the distance.
+  // The distance may be too large by its error. A smaller error takes longer, without end where the surfaces are the same.
   const double diagonal = internal::bounding_box(target.points).diagonal().norm();
   double error = 1e-3 * diagonal;
   const auto measure = [&]
   { return Polygon_mesh_processing::bounded_error_Hausdorff_distance<Sequential_tag>(mesh_of_target, image, error); };
   result.largest_distance_from_surface = measure();
-  while(error > (std::max)(0.1 * result.largest_distance_from_surface, 1e-6 * diagonal))
+  while(result.largest_distance_from_surface > error && error > 0.1 * result.largest_distance_from_surface)
   {
     error /= 10;
     result.largest_distance_from_surface = measure();

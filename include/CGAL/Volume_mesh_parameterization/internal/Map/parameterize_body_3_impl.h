@@ -65,6 +65,8 @@ inline Prescription_3 with_conditions_of_source(const Body_3& body, Prescription
     return prescription;
   Numbered_body_3 numbered(body, prescription.prescribed_points(), body.points);
   Numbered_mesh_3& mesh = numbered.mesh;
+  if(!mesh.source.allFinite())
+    return prescription; // the check of the input names the place
   const auto point = [&](const std::size_t i) { return numbered.points[mesh.number_of_free_vertices + i]; };
   for(int i = 0; i < mesh.number_of_prescribed_vertices(); ++i)
     mesh.sliding_conditions.push_back(slides[point(i)] ? Vertex_condition_3::in_boundary() : Vertex_condition_3::at_target());
