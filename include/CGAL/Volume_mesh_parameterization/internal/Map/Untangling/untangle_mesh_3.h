@@ -151,7 +151,7 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
       return;
   }
   for(const auto& [attempt, end] : ends)
-    if(search.is_unsolved() && !search.is_in_vain())
+    if(mesh.is_whole() && search.is_unsolved() && !search.is_in_vain()) // processes would count other cells
       search.go_on(attempt, end);
   if(may_split)
     search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells()));
