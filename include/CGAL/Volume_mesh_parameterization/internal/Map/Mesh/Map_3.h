@@ -129,7 +129,7 @@ inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, con
 
 inline Map_3 evaluated_map(const Numbered_mesh_3& mesh, Matrix3Xd positions, const Conditions_3& conditions)
 {
-  const double rounding = conditions.empty() ? 0 : rounding_of_targets(mesh); // targets are met exactly, and a process may have none
+  const double rounding = conditions.empty() ? 0 : rounding_of_targets(mesh); // a process may have no target
   return evaluated_map(mesh, std::move(positions), conditions, rounding);
 }
 
