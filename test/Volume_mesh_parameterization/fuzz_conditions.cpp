@@ -1,7 +1,7 @@
 // Maps random meshes with random conditions of vertices, by one thread and by several. Checks that both give the same bits, that
 // no cell is inverted in exact arithmetic, and that the conditions are met.
 //
-// Usage: fuzz_conditions [NUMBER_OF_INPUTS [SEED]]
+// Usage: fuzz_conditions [NUMBER_OF_INPUTS [SEED [KIND_OF_CONDITIONS]]]; kind 10 has open patches and intersections
 #include "fuzz_inputs.h"
 #include "fuzz_loop.h"
 
@@ -28,6 +28,7 @@
 #include <cstring>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
@@ -186,7 +187,7 @@ VMP::Any_energy_3 random_energy(Random& random)
 class Problem
 {
 public:
-  explicit Problem(Random& random)
+  Problem(Random& random, const std::optional<std::size_t> given_kind)
     : m_soup(random_body(random)), m_energy(random_energy(random)), m_conditions(m_soup.points.size()),
       m_targets(m_soup.points.size(), { nan, nan, nan })
   {
@@ -195,7 +196,7 @@ public:
       m_low = m_low.cwiseMin(vector(p));
       m_high = m_high.cwiseMax(vector(p));
     }
-    choose_conditions(random);
+    choose_conditions(random, given_kind);
     if(random.one_in(20))
       m_targets[random.below(m_targets.size())][random.below(3)] = random.extreme_number();
     m_mode = random.pick({VMP::Boundary_mode::AUTO, VMP::Boundary_mode::FIXED, VMP::Boundary_mode::SOFT});
@@ -242,13 +243,14 @@ private:
     m_targets[v] = { target[0], target[1], target[2] };
   }
 
-  void choose_conditions(Random& random)
+  void choose_conditions(Random& random, const std::optional<std::size_t> given_kind)
   {
     const Eigen::Matrix3d motion = random_motion(random);
     const Vector3d shift = random.one_in(8) ? random.vector(size() * random.pick({0.1, 1., 1e3})) : Vector3d(Vector3d::Zero());
     const Facets facets = VMP::internal::boundary_facets_3(m_soup.cells);
     const std::set<std::size_t> boundary = vertices_of(facets);
-    const std::size_t kind = random.below(11), number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
+    const std::size_t drawn_kind = random.below(11), kind = given_kind.value_or(drawn_kind);
+    const std::size_t number_of_points = m_soup.points.size(), number_of_planes = 1 + random.below(3);
     const int axis = static_cast<int>(random.below(3));
     const Vector3d direction = random_direction(random);
     for(std::size_t handles = kind < 3 ? kind : 0; handles > 0; --handles)
@@ -468,12 +470,12 @@ private:
 };
 
 // Runs a random input, and returns how the run ended.
-std::string run_input(const std::uint64_t seed)
+std::string run_input(const std::uint64_t seed, const std::optional<std::size_t> kind)
 {
   Random random(seed);
   try
   {
-    const Problem problem(random);
+    const Problem problem(random, kind);
     return random.one_in(5) ? problem.run<float>() : problem.run<double>();
   }
   catch(const VMP::Input_error&)
@@ -482,4 +484,10 @@ std::string run_input(const std::uint64_t seed)
   }
 }
 
-int main(int argc, char* argv[]) { return run_inputs(argc, argv, run_input); }
+int main(int argc, char* argv[])
+{
+  std::optional<std::size_t> kind;
+  if(argc > 3)
+    kind = std::strtoull(argv[3], nullptr, 10);
+  return run_inputs(argc, argv, [&](const std::uint64_t seed) { return run_input(seed, kind); });
+}
