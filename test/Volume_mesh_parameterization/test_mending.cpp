@@ -58,6 +58,17 @@ TEST_CASE("Points at one place become the first of them")
 
   CHECK(VMP::merge_coinciding_points(soup) == VMP::internal::first_coinciding_points(soup.points)); // nothing changes any more
   CHECK(soup.cells == two_cells().cells);
+  // points that are a little apart are joined up to a distance
+  Soup gap = two_torn_cells();
+  gap.points[5][2] += 1e-6;
+  gap.points[6][0] -= 1e-6;
+  Soup unchanged = gap;
+  CHECK(VMP::merge_coinciding_points(unchanged, 1e-7) == std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 0});
+  CHECK(VMP::merge_coinciding_points(gap, 1e-5) == std::vector<std::size_t>{0, 1, 2, 3, 4, 2, 1, 0});
+  CHECK(gap.cells == two_cells().cells);
+  CHECK_THROWS_WITH(VMP::merge_coinciding_points(gap, 5),
+                    Catch::Matchers::Contains("of cell 0 (counted from 0). Use a smaller one"));
+  CHECK(gap.cells == two_cells().cells);
   CHECK(VMP::internal::first_coinciding_points({{0., 0, 0}, {-0., 0, 0}, {1e-300, 0, 0}}) == std::vector<std::size_t>{0, 0, 2});
 }
 

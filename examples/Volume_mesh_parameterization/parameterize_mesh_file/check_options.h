@@ -61,9 +61,11 @@ inline void check_cells(const Options& options)
             "--cells and --tetrahedra need a source that is filled, with one of the extensions " + body_extensions());
   refuse_if(!(options.joining_distance >= 0) || std::isinf(options.joining_distance),
             "the distance of points (--merge-points) must be a finite number that is not negative");
-  const bool has_surface = format_of(options.source) == Mesh_format::SURFACE || is_surface_domain(options.domain);
-  refuse_if(options.joining_distance > 0 && !has_surface,
-            "--merge-points=DISTANCE needs a surface as SOURCE or with --to. Without a distance, it joins points of a mesh");
+  const bool has_points = !is_body_name(options.source) || format_of(options.source) == Mesh_format::SURFACE
+                          || is_surface_domain(options.domain);
+  refuse_if(options.joining_distance > 0 && !has_points,
+            "--merge-points=DISTANCE needs a mesh or a surface, as SOURCE or with --to. Solids of a CAD program have no points to "
+            "join");
   refuse_if(!options.tetrahedra.empty() && !Output_file::is_stream(options.tetrahedra) && !is_mesh_name(options.tetrahedra),
             options.tetrahedra + ": the name of the tetrahedra must end with " + mesh_extensions);
 }

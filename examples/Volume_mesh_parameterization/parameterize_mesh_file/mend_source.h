@@ -37,7 +37,8 @@ struct Source
   VMP::Tetrahedron_soup_3 soup;
   // the mesh of the file, if cells have other vertices now
   std::optional<VMP::Tetrahedron_soup_3> unmended = {};
-  std::vector<std::size_t> first_points = {}; // for each point the one with the same coordinates that has its cells now; or empty
+  std::vector<std::size_t> first_points = {}; // for each point the merged one that has its cells now; or empty
+  double joining_distance = 0;                // up to which points are merged
   // the edge or, twice, the vertex that each appended point was
   std::vector<std::array<std::size_t, 2> > origins = {};
   Repairs repairs = {};
@@ -67,7 +68,7 @@ struct Source
       std::array<double, 3>& point = points[first_points[v]];
       if(std::isnan(point[0]))
         point = points[v];
-      else if(!std::isnan(points[v][0]) && points[v] != point)
+      else if(!std::isnan(points[v][0]) && !are_near(points[v], point))
         throw VMP::Input_error("vertices " + std::to_string(first_points[v]) + " and " + std::to_string(v)
                                + " (counted from 0) are merged, but have different points here");
     }
@@ -79,6 +80,9 @@ struct Source
     }
     return points;
   }
+
+  bool are_near(const std::array<double, 3>& p, const std::array<double, 3>& q) const
+  { return p == q || std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) <= joining_distance; }
 
   // Gives points without cells the images of those that have theirs.
   void complete_images(Points& images) const
@@ -101,10 +105,11 @@ inline std::vector<std::size_t> repeated(const std::vector<std::size_t>& first)
 inline void merge_points(Source& source)
 {
   source.unmended = source.soup;
-  source.first_points = VMP::merge_coinciding_points(source.soup);
+  source.first_points = VMP::merge_coinciding_points(source.soup, source.joining_distance);
   source.repairs.number_of_merged_points = repeated(source.first_points).size();
   source.notes.push_back(counted(source.repairs.number_of_merged_points, "point has the position of another point, and is",
-                                 "points have the position of another point, and are") + " merged with it");
+                                 "points have the position of another point, and are")
+                         + (source.joining_distance > 0 ? " merged with it; or nearly its position" : " merged with it"));
 }
 
 // Advice for cells that are inverted or flat, behind the reason.
@@ -221,6 +226,7 @@ inline Source mended_source(VMP::Tetrahedron_soup_3 soup, const Options& options
 {
   Source source = { std::move(soup) };
   source.notes = source.soup.notes;
+  source.joining_distance = options.joining_distance;
   if(options.do_merge_points && !is_body_name(options.source))
     merge_points(source);
   merge_cells(source);

@@ -12,7 +12,9 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soups/insert_points.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/nearby_points.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/mesh_complex_3_to_tetrahedron_soup.h>
 #include <CGAL/Volume_mesh_parameterization/tetrahedron_soup_to_mesh_complex_3.h>
@@ -96,6 +98,29 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
 }
 
 // Returns, for each cell, the first one with its four vertices.
+// Returns for each point the first one of those that it is joined to, if points with the same coordinates are joined, and then
+// points of the boundary up to a distance. Throws if a cell would lose a vertex.
+inline std::vector<std::size_t> first_points_at_tears(const Tetrahedron_soup_3& soup, const std::vector<std::size_t>& coinciding,
+                                                      const double distance)
+{
+  std::vector<std::array<std::size_t, 4> > cells = soup.cells;
+  for(auto& cell : cells)
+    for(std::size_t& v : cell)
+      v = coinciding[v];
+  const std::vector<std::size_t> boundary = boundary_vertices(soup.points, cells),
+    nearby = first_nearby_points(soup.points, std::set<std::size_t>(boundary.begin(), boundary.end()), distance);
+  for(std::size_t c = 0; c < cells.size(); ++c)
+    for(int i = 0; i < 4; ++i)
+      for(int j = 0; j < i; ++j)
+        if(nearby[cells[c][i]] == nearby[cells[c][j]])
+          throw Input_error(sentence("the distance ", distance, " joins the vertices ", soup.cells[c][j], " and ", soup.cells[c][i],
+                                     " of cell ", c, " (counted from 0). Use a smaller one"));
+  std::vector<std::size_t> result;
+  for(const std::size_t v : coinciding)
+    result.push_back(nearby[v]);
+  return result;
+}
+
 inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std::size_t, 4> >& cells,
                                                        const bool is_parallel)
 {
@@ -155,13 +180,19 @@ void remove_collapsed(Simplices& simplices, std::vector<int>& references, std::v
 /// makes cells and marked facets, edges and corners use the first one of points with the same coordinates. The other points
 /// stay without cells, and indices do not change.
 ///
-/// \return for each point, the first one with its coordinates; the point itself, if it has a place of its own
+/// \param soup the mesh
+/// \param distance if it is not 0, points on the boundary that are at most this far from each other are joined, too
 ///
-/// \exception Input_error as the functions for arrays; the soup is then unchanged.
-inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup)
+/// \return for each point, the first one of those that it is joined to; the point itself, if it has a place of its own
+///
+/// \exception Input_error as the functions for arrays, and if two vertices of a cell would be joined; the soup is then unchanged.
+inline std::vector<std::size_t> merge_coinciding_points(Tetrahedron_soup_3& soup, const double distance = 0)
 {
+  internal::require(distance >= 0, "distance must not be negative.");
   internal::check_simplices(soup);
   std::vector<std::size_t> first = internal::first_coinciding_points(soup.points);
+  if(distance > 0)
+    first = internal::first_points_at_tears(soup, first, distance);
   internal::for_each_vertex(soup, [&](std::size_t& v) { v = first[v]; });
   return first;
 }

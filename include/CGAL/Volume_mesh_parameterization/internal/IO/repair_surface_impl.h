@@ -13,6 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Soups/nearby_points.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -91,8 +92,7 @@ inline bool is_closed(const Tetrahedron_soup_3& surface)
 inline bool is_manifold(const Tetrahedron_soup_3& surface)
 { return for_all_edges(surface, [](const auto n) { return n == 2; }); }
 
-// Moves triangles to the first of the points at gaps that chains of steps shorter than a distance join. Points in the boxes of a
-// grid with this spacing find each other in neighboring boxes.
+// Moves triangles to the first of the points at gaps that chains of steps no longer than a distance join.
 inline void join_points_at_gaps(Tetrahedron_soup_3& surface, const double distance)
 {
   std::set<std::size_t> at_gaps;
@@ -101,24 +101,8 @@ inline void join_points_at_gaps(Tetrahedron_soup_3& surface, const double distan
     if((end - begin) % 2 != 0)
       at_gaps.insert(begin->first.begin(), begin->first.end());
   });
-  Disjoint_sets sets(surface.points.size());
-  std::map<std::array<double, 3>, std::vector<std::size_t> > grid;
-  for(const std::size_t v : at_gaps)
-  {
-    std::array<double, 3> box;
-    for(std::size_t i = 0; i < 3; ++i)
-      box[i] = std::floor(surface.points[v][i] / distance);
-    for(int neighbor = 0; neighbor < 27; ++neighbor)
-      if(const auto found = grid.find({ box[0] + neighbor % 3 - 1, box[1] + neighbor / 3 % 3 - 1, box[2] + neighbor / 9 - 1 });
-         found != grid.end())
-        for(const std::size_t w : found->second)
-          if(squared_distance(surface.points[v], surface.points[w]) <= distance * distance)
-            sets.unite(v, w);
-    grid[box].push_back(v);
-  }
-  for(auto& triangle : surface.facets)
-    for(std::size_t& v : triangle)
-      v = sets.find(v);
+  const std::vector<std::size_t> first = first_nearby_points(surface.points, at_gaps, distance);
+  for_each_vertex(surface, [&](std::size_t& v) { v = first[v]; });
 }
 
 // Removes triangles without three vertices, and points without triangles.
