@@ -242,6 +242,9 @@ TEST_CASE("A boundary that is too coarse for a cube is mapped once it is refined
   const VMP::Cube_boundary_parameterizer_3 cube;
   Points targets;
   CHECK(cube.parameterize(cell.points, cell.cells, targets) == VMP::ERROR_BOUNDARY_TOO_COARSE);
+  const std::string message
+    = CGAL::stretch_minimizing_volume_parameterization(cell, targets, params::boundary_parameterizer(cube)).message;
+  CHECK((has(message, "around (0.5, 0.5, 0)") || has(message, "around (0.5, 0, 0.5)") || has(message, "around (0, 0.5, 0.5)")));
   const Tetrahedron_soup_3 fine = subdivided(subdivided(cell));
   CHECK(cube.parameterize(fine.points, fine.cells, targets) == VMP::OK);
 }

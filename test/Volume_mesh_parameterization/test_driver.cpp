@@ -1253,21 +1253,28 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   const Soup cavity = folder.soup("cavity.mesh");
   CHECK(cavity.edges.empty());
   CHECK(cavity.facets.empty());
-  double sum = 0;
-  for(const std::array<std::size_t, 4>& cell : cavity.cells)
+  const auto volume = [](const Soup& soup)
   {
-    const auto vector = [&](const std::size_t i)
+    double sum = 0;
+    for(const std::array<std::size_t, 4>& cell : soup.cells)
     {
-      const Point &p = cavity.points[cell[i]], &q = cavity.points[cell[0]];
-      return Point{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
-    };
-    const Point a = vector(1), b = vector(2), c = vector(3);
-    sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
-  }
-  CHECK(sum == Approx(26));
+      const auto vector = [&](const std::size_t i)
+      {
+        const Point &p = soup.points[cell[i]], &q = soup.points[cell[0]];
+        return Point{ p[0] - q[0], p[1] - q[1], p[2] - q[2] };
+      };
+      const Point a = vector(1), b = vector(2), c = vector(3);
+      sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) / 6;
+    }
+    return sum;
+  };
+  CHECK(volume(cavity) == Approx(26));
   CHECK(sentence({ { 0, 1 } }, 1).find("cubes.off: the surface is not closed, because the edge between the points (") == 0);
-  CHECK(sentence({ { 0, 1 }, { 3, 1 } }).find("; the surface must enclose one body") != std::string::npos);
-  CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("; the surface must enclose one body") != std::string::npos);
+  CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("; the surface must enclose bodies") != std::string::npos);
+  // two bodies, one of them in a cavity of another one
+  CHECK(sentence({ { 0, 9 }, { 3, 3 }, { 4, 1 }, { 10, 2 } }).find("note: cubes.off: the surface encloses 3 bodies") == 0);
+  CHECK(folder.run("cubes.off --cells 1 --to polycube --refine=none --tetrahedra cubes.mesh") == 0);
+  CHECK(volume(folder.soup("cubes.mesh")) == Approx(729 - 27 + 1 + 8));
   // points with the same place, and of a surface to which a body is fitted
   const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 0\nv 1 0 0\nv 1 0 1\n"
                               "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 0 1 0\nv 0 0 0\n"
@@ -1280,8 +1287,20 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(folder.run("doubled.obj --cells 0.5 --to open.obj") == 2);
   CHECK(folder.text("stderr").find("open.obj: the surface is not closed, because the edge between the points (0, ")
         != std::string::npos);
-  CHECK(folder.run("beam.mesh --to ball --merge-points=0.1") == 2);
-  CHECK(folder.text("stderr").find("--merge-points=DISTANCE needs a surface") == 0);
+
+  // names of faces in a file of STEP, which Gmsh does not give
+  folder.write("box.geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 1, 1, 1};\nSave \"box.step\";\n");
+  REQUIRE(folder.run("box.geo --cells 0.5 --to ball") == 0);
+  CHECK(folder.run("box.step --cells 0.5 --to ball --merge-points=0.1") == 2);
+  CHECK(folder.text("stderr").find("--merge-points=DISTANCE needs a mesh or a surface") == 0);
+  CHECK(folder.run("box.step --cells 0.5 --to ball") == 0);
+  CHECK(folder.text("stderr").find("name of faces") == std::string::npos);
+  std::string named = folder.text("box.step");
+  const std::string face = "ADVANCED_FACE('";
+  REQUIRE(named.find(face) != std::string::npos);
+  folder.write("named.step", named.insert(named.find(face) + face.size(), "support"));
+  CHECK(folder.run("named.step --cells 0.5 --to ball") == 0);
+  CHECK(folder.text("stderr").find("note: named.step: 1 name of faces is left out, because Gmsh does not give them") == 0);
 
   // a bore and a void that are smaller than cells, and a sheet beside a solid
   const std::string head = "SetFactory(\"OpenCASCADE\");\n";
@@ -2216,6 +2235,16 @@ TEST_CASE("A body that is torn at doubled points is told, and joined")
   CHECK(folder.text("stderr").find("note: torn.mesh: 9 points have the position of another point, and are merged") == 0);
   CHECK(number(folder.text("report.json"), "merged_points") == 9);
   CHECK(number(folder.text("report.json"), "coinciding_points") == 0);
+  // points a little apart are joined up to a distance, and so are their targets
+  Soup gap = bar;
+  for(std::size_t v = n; v < gap.points.size(); ++v)
+    gap.points[v][0] += 1e-4;
+  folder.write("gap.mesh", gap);
+  CHECK(folder.run("gap.mesh gap.mesh --merge-points=0.001 -o map.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: gap.mesh: 9 points have the position of another point, and are merged with it; or nearly")
+        == 0);
+  CHECK(folder.run("gap.mesh --to ball --merge-points=1.5") == 2);
+  CHECK(folder.text("stderr").find("gap.mesh: the distance 1.5 joins the vertices ") == 0);
   // targets are told of the points of the file, of any of those at one place
   CHECK(folder.run("torn.mesh torn.mesh --merge-points -o map.mesh") == 0);
   const std::vector<Point> map = folder.soup("map.mesh").points;

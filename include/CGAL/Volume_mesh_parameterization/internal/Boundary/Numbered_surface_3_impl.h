@@ -64,6 +64,24 @@ inline Box_3 box_of_smallest_part(const Body_3& body)
                           { return a.second.diagonal().norm() < b.second.diagonal().norm(); })->second;
 }
 
+// Returns the midpoint of the edge of the boundary where two facets turn most: the vertices are fewest there for the shape.
+inline Vector_3 middle_of_sharpest_edge(const Body_3& body)
+{
+  const auto position = [&](const std::size_t v) { return to_vector(body.points[v]); };
+  double least_cosine = 2;
+  Vector_3 result = position(body.boundary[0][0]);
+  for_each_edge(body.boundary, [&](const auto begin, const auto end)
+  {
+    const double cosine = cosine_between_facets(body.boundary[begin->second[0] / 3], body.boundary[(end - 1)->second[0] / 3],
+                                                position);
+    if(!(cosine < least_cosine))
+      return;
+    least_cosine = cosine;
+    result = (position(begin->first[0]) + position(begin->first[1])) / 2;
+  });
+  return result;
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const Body_3& body, const Error_code status)
 {
   if(status == ERROR_SEVERAL_BOUNDARY_COMPONENTS)
@@ -72,6 +90,8 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::string where_boundary_fails(const 
     return sentence(" The smallest one is around ", describe(box.center()), ", and the diagonal of its box is ",
                     box.diagonal().norm(), ".");
   }
+  if(status == ERROR_BOUNDARY_TOO_COARSE)
+    return " It turns most around " + describe(middle_of_sharpest_edge(body)) + ".";
   if(status != ERROR_NON_MANIFOLD_BOUNDARY)
     return "";
   const std::vector<std::size_t> points = non_manifold_points(body);

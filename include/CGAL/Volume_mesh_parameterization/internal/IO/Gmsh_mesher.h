@@ -26,22 +26,33 @@ struct Gmsh_attempt
   bool is_second = false;
 };
 
+// Calls `f(entity)` for each entity of a file of STEP with a keyword, without blanks; for none in other files.
+template <typename Function>
+void for_each_entity_of_STEP(const std::string& filename, const char* const keyword, const Function& f)
+{
+  if(!has_extension(filename, { ".step", ".stp" }))
+    return;
+  std::ifstream is(filename);
+  for(std::string entity; std::getline(is, entity, ';');)
+  {
+    const auto is_blank = [](const unsigned char c) { return std::isspace(c) != 0; };
+    entity.erase(std::remove_if(entity.begin(), entity.end(), is_blank), entity.end());
+    if(entity.find(keyword) != entity.npos)
+      f(entity);
+  }
+}
+
 // Returns the unit of lengths in a file of STEP by its name in Open CASCADE; nothing for millimetres, to which it converts others.
 inline std::string unit_of_STEP(const std::string& filename)
 {
-  std::ifstream is(filename);
   std::set<std::string> units;
-  for(std::string entity; std::getline(is, entity, ';');)
+  for_each_entity_of_STEP(filename, "LENGTH_UNIT", [&](const std::string& entity)
   {
-    if(entity.find("LENGTH_UNIT") == entity.npos)
-      continue;
-    const auto is_blank = [](const unsigned char c) { return std::isspace(c) != 0; };
-    entity.erase(std::remove_if(entity.begin(), entity.end(), is_blank), entity.end());
     for(const auto& [text, unit] : { std::pair("CONVERSION_BASED_UNIT('INCH'", "INCH"), { "SI_UNIT(.MILLI.,.METRE.)", "" },
                                      { "SI_UNIT(.CENTI.,.METRE.)", "CM" }, { "SI_UNIT($,.METRE.)", "M" } })
       if(entity.find(text) != entity.npos)
         units.insert(unit);
-  }
+  });
   if(units.count("INCH") > 0) // which is a multiple of another unit in the file
     return "INCH";
   return units.size() == 1 ? *units.begin() : "";
@@ -57,8 +68,7 @@ inline void load_solids(const std::string& filename)
     gmsh::clear();
     gmsh::option::setNumber("Geometry.OCCSewFaces", makes_solids);
     gmsh::option::setNumber("Geometry.OCCMakeSolids", makes_solids);
-    if(has_extension(filename, { ".step", ".stp" }))
-      gmsh::option::setString("Geometry.OCCTargetUnit", unit_of_STEP(filename));
+    gmsh::option::setString("Geometry.OCCTargetUnit", unit_of_STEP(filename));
     gmsh::merge(filename);
     gmsh::model::getEntities(solids, 3);
     if(!solids.empty())
@@ -91,6 +101,23 @@ inline std::set<int> seams()
         result.insert(curve);
   }
   return result;
+}
+
+// Returns a note on names of faces in a file of STEP that Gmsh does not give; nothing if there are none.
+inline std::string note_of_names(const std::string& filename, const Tetrahedron_soup_3& soup)
+{
+  std::set<std::string> names;
+  for_each_entity_of_STEP(filename, "ADVANCED_FACE('", [&](const std::string& entity)
+  {
+    const std::size_t begin = entity.find('\'') + 1;
+    names.insert(entity.substr(begin, entity.find('\'', begin) - begin));
+  });
+  names.erase("");
+  names.erase("NONE");
+  const bool has_sets = std::any_of(soup.group_names.begin(), soup.group_names.end(),
+                                    [](const auto& group) { return group.first.first == 2; });
+  return names.empty() || has_sets ? "" : counted(names.size(), "name of faces is", "names of faces are") + " left out, because "
+    "Gmsh does not give them. A script of Gmsh names faces by number: the page on this program in the manual has an example";
 }
 
 // Returns a note on faces of the model that bound no solid, such as sheets; nothing if there are none.
@@ -168,16 +195,45 @@ inline Tetrahedron_soup_3 filled_solids(const std::string& filename, const Gmsh_
     load_solids(filename);
     const std::string note_of_circles = generate_tetrahedra(attempt);
     Tetrahedron_soup_3 result = Gmsh_reader(seams()).read();
-    for(const std::string& note : { note_of_sheets(), note_of_circles })
+    for(const std::string& note : { note_of_sheets(), note_of_circles, note_of_names(filename, result) })
       if(!note.empty())
         result.notes.push_back(note);
     return result;
   }, "; save the solids anew in a CAD program, or try cells of another size");
 }
 
-// Makes the space that a surface encloses a volume of the model. Each part of the surface is a discrete face; or faces by angles
-// are to be meshed anew.
-inline void load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshed_anew)
+// Returns the solid angle of a surface at a point (Van Oosterom and Strackee, The solid angle of a plane triangle, IEEE
+// Transactions on Biomedical Engineering, 1983).
+inline double solid_angle(const Points& points, const Triangles& triangles, const Vector_3& point)
+{
+  double result = 0;
+  for(const auto& [u, v, w] : triangles)
+  {
+    const Vector_3 a = to_vector(points[u]) - point, b = to_vector(points[v]) - point, c = to_vector(points[w]) - point;
+    const double p = a.norm(), q = b.norm(), r = c.norm();
+    result += 2 * std::atan2(a.dot(b.cross(c)), p * q * r + a.dot(b) * r + b.dot(c) * p + c.dot(a) * q);
+  }
+  return result;
+}
+
+// Returns for each part of a closed surface the part that bounds the same body from outside: itself, or the one around a cavity.
+inline std::vector<std::size_t> outer_parts(const Points& points, const std::vector<Triangles>& parts)
+{
+  std::vector<std::vector<std::size_t> > around(parts.size());
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    for(std::size_t j = 0; j < parts.size(); ++j)
+      if(i != j && std::abs(solid_angle(points, parts[j], to_vector(points[parts[i][0][0]]))) > 2 * CGAL_PI)
+        around[i].push_back(j);
+  std::vector<std::size_t> result;
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    result.push_back(around[i].size() % 2 == 0 ? i : *std::max_element(around[i].begin(), around[i].end(),
+      [&](const std::size_t j, const std::size_t k) { return around[j].size() < around[k].size(); }));
+  return result;
+}
+
+// Makes each body that a surface encloses a volume of the model, and returns their number. Each part of the surface is a discrete
+// face; or faces by angles are to be meshed anew.
+inline std::size_t load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshed_anew)
 {
   constexpr double angle = CGAL_PI / 4.5; // 40 degrees, as in an example of Gmsh
   std::vector<std::size_t> tags(surface.points.size());
@@ -185,12 +241,18 @@ inline void load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshe
   std::vector<double> coordinates;
   for(const std::array<double, 3>& p : surface.points)
     coordinates.insert(coordinates.end(), p.begin(), p.end());
-  for(const Triangles& part : components(surface.facets))
+  const std::vector<Triangles> parts = components(surface.facets);
+  const std::vector<std::size_t> outer = outer_parts(surface.points, parts);
+  std::map<std::array<std::size_t, 3>, std::size_t> body_of_triangle;
+  for(std::size_t i = 0; i < parts.size(); ++i)
   {
     std::vector<std::size_t> nodes;
-    for(const auto& triangle : part)
+    for(const auto& triangle : parts[i])
+    {
       for(const std::size_t v : triangle)
         nodes.push_back(tags[v]);
+      body_of_triangle[sorted(triangle)] = outer[i];
+    }
     const int face = gmsh::model::addDiscreteEntity(2);
     if(!coordinates.empty())
       gmsh::model::mesh::addNodes(2, face, tags, std::exchange(coordinates, {}));
@@ -203,11 +265,17 @@ inline void load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshe
   }
   gmsh::vectorpair faces;
   gmsh::model::getEntities(faces, 2);
-  std::vector<int> shell;
+  std::map<std::size_t, std::vector<int> > shells;
   for(const auto& [dimension, face] : faces)
-    shell.push_back(face);
-  gmsh::model::geo::addVolume({ gmsh::model::geo::addSurfaceLoop(shell) });
+  {
+    std::vector<std::size_t> elements, nodes;
+    gmsh::model::mesh::getElementsByType(2, elements, nodes, face);
+    shells[body_of_triangle.at(sorted(std::array{ nodes[0] - 1, nodes[1] - 1, nodes[2] - 1 }))].push_back(face);
+  }
+  for(const auto& [body, shell] : shells)
+    gmsh::model::geo::addVolume({ gmsh::model::geo::addSurfaceLoop(shell) });
   gmsh::model::geo::synchronize();
+  return shells.size();
 }
 
 // Fills a closed surface with new triangles on it. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
@@ -218,7 +286,7 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
   {
     return with_Gmsh([&]
     {
-      load_enclosed(surface, is_meshed_anew);
+      const std::size_t number_of_bodies = load_enclosed(surface, is_meshed_anew);
       generate_tetrahedra(attempt);
       Tetrahedron_soup_3 result = Gmsh_reader().read();
       result.cell_references.assign(result.cells.size(), 0);
@@ -227,8 +295,12 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
       result.edges.clear();
       result.edge_references.clear();
       result.notes = surface.notes;
+      if(number_of_bodies > 1)
+        result.notes.push_back("the surface encloses " + std::to_string(number_of_bodies) + " bodies, which become one mesh. "
+                               "Polycubes of bodies stand side by side; all other targets need a file for each body");
       return result;
-    }, "; the surface must enclose one body, with or without cavities, and must not touch or cross itself");
+    }, "; the surface must enclose bodies, with or without cavities, and must not touch or cross itself. Bodies that cross or touch "
+       "need files of their own, or their union in a CAD program");
   };
   if(!attempt.is_second)
     try { return filled(true); }

@@ -22,17 +22,24 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns whether the edge between two facets is sharp.
+// Returns the cosine of the angle between the normals of two facets.
 template <typename Facet, typename Position>
-bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position, const bool are_oriented_alike = true)
+double cosine_between_facets(const Facet& f, const Facet& g, const Position& position)
 {
-  constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
   const auto normal = [&](const Facet& facet)
   {
     const auto [a, b] = edges_of_facet(facet, position);
     return a.cross(b).stableNormalized();
   };
-  return (are_oriented_alike ? 1 : -1) * normal(f).dot(normal(g)) < cosine_of_sharp_edge;
+  return normal(f).dot(normal(g));
+}
+
+// Returns whether the edge between two facets is sharp.
+template <typename Facet, typename Position>
+bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position, const bool are_oriented_alike = true)
+{
+  constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+  return (are_oriented_alike ? 1 : -1) * cosine_between_facets(f, g, position) < cosine_of_sharp_edge;
 }
 
 // Returns the cosine of the turn up to which an edge of a curve of sharp edges goes on in the next one.
