@@ -161,9 +161,9 @@ inline Command_line command_line(Options& options)
     ("cells", po::value(&options.cell_size)->value_name("SIZE")->default_value(0, "a 20th of the diagonal of the box"),
      "the largest edges, about, of the tetrahedra that Gmsh makes of a body, in the unit of its file")
     ("merge-points", po::value(&options.joining_distance)->value_name("DISTANCE"),
-     "without a value: join cells at points with the same coordinates. With a distance: join points on the boundary of a mesh, and "
-     "at gaps of surfaces, SOURCE or that of --to, that are at most this far from each other, in the unit of the file. Without the "
-     "option, the distance for surfaces is a tiny part of them")
+     "without a value: join cells at points with the same coordinates. With a distance: join points on the boundary of a mesh, "
+     "and at gaps of surfaces, SOURCE or that of --to, that are at most this far from each other, in the unit of the file. "
+     "Without the option, the distance for surfaces is a tiny part of them")
     ("features", po::value(&options.features)->value_name("FILE"),
      "the sharp edges of the source: lines with two vertices, counted from 0. They replace the edges marked in SOURCE.mesh. If "
      "no edges are marked, edges with more than 60 degrees between the normals are sharp")

@@ -113,8 +113,8 @@ inline std::vector<std::size_t> first_points_at_tears(const Tetrahedron_soup_3& 
     for(int i = 0; i < 4; ++i)
       for(int j = 0; j < i; ++j)
         if(nearby[cells[c][i]] == nearby[cells[c][j]])
-          throw Input_error(sentence("the distance ", distance, " joins the vertices ", soup.cells[c][j], " and ", soup.cells[c][i],
-                                     " of cell ", c, " (counted from 0). Use a smaller one"));
+          throw Input_error(sentence("the distance ", distance, " joins the vertices ", soup.cells[c][j], " and ",
+                                     soup.cells[c][i], " of cell ", c, " (counted from 0). Use a smaller one"));
   std::vector<std::size_t> result;
   for(const std::size_t v : coinciding)
     result.push_back(nearby[v]);

@@ -299,8 +299,8 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
         result.notes.push_back("the surface encloses " + std::to_string(number_of_bodies) + " bodies, which become one mesh. "
                                "Polycubes of bodies stand side by side; all other targets need a file for each body");
       return result;
-    }, "; the surface must enclose bodies, with or without cavities, and must not touch or cross itself. Bodies that cross or touch "
-       "need files of their own, or their union in a CAD program");
+    }, "; the surface must enclose bodies, with or without cavities, and must not touch or cross itself. Bodies that cross or "
+       "touch need files of their own, or their union in a CAD program");
   };
   if(!attempt.is_second)
     try { return filled(true); }
