@@ -47,7 +47,7 @@ perl -0777 -ne '
     }
     print "} }\n";
   }' include/CGAL/stretch_minimizing_volume_parameterization.h include/CGAL/*/make_*.h > $output/named_parameters.h
-printf 'INPUT += doc/Polycube_meshing_3 build/doc_output/named_parameters.h\nEXCLUDE += include/CGAL/Polycube_meshing_3/internal\n' >> $output/Doxyfile # one manual here
+echo 'INPUT += doc/Polycube_meshing_3 build/doc_output/named_parameters.h' >> $output/Doxyfile # one manual here
 BIBINPUTS=. BSTINPUTS=. doxygen $output/Doxyfile # bibtex finds files without a TeX installation
 # As in CGAL's manual, concepts are called so, and they and named parameters have no header; the tree has room for names without namespaces and parameters.
 for concept in $doc/Concepts/*.h; do
