@@ -2,8 +2,8 @@
 """Draws the maps that the example programs wrote, for the manual.
 
 Usage: xvfb-run -a -s "-screen 0 2560x1280x24 -noreset" scripts/render_examples.py FOLDER [OUTPUT_FOLDER]
-FOLDER is where the example programs were run, and the commands that the manual of Polycube_meshing_3 shows. Needs the Debian
-packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
+FOLDER is where the example programs were run, the commands that the manual of Polycube_meshing_3 shows, and those of the section
+"Examples in Pictures". Needs the Debian packages python3-matplotlib, python3-pil, python3-vtk9, xauth and xvfb.
 """
 import sys
 import tempfile
@@ -251,16 +251,20 @@ def draw_sliding(folder, output):
     draw_row(bodies, output, DISTORTION)
 
 
-def body_with_grid(grid):
-    return [render.surface(grid, edges=False), grid_lines(grid), sharp_edges(grid)]
+def body_with_grid(grid, direction):
+    """The lines are a little nearer to the eye than the surface, which would hide parts of them, and the edges than the lines."""
+    lines, edges = grid_lines(grid), sharp_edges(grid)
+    for actor, distance in ((lines, 0.004), (edges, 0.006)):
+        actor.SetPosition(*(distance * grid.GetLength() / numpy.linalg.norm(direction) * numpy.array(direction)))
+    return [render.surface(grid, edges=False), lines, edges]
 
 
 def draw_grid(vtu, output):
     """A regular grid in the parameter domain, and what it becomes in the source."""
     direction, up, _ = VIEWS[vtu.stem]
     source = render.read(str(vtu))
-    draw_row([(body_with_grid(render.image_of(source)), direction, up, "polycube with a regular grid"),
-              (body_with_grid(source), direction, up, "part with the same grid")], output)
+    draw_row([(body_with_grid(render.image_of(source), direction), direction, up, "polycube with a regular grid"),
+              (body_with_grid(source, direction), direction, up, "part with the same grid")], output)
 
 
 def draw_overview(folder, output, icon):
@@ -280,14 +284,7 @@ def draw_overview(folder, output, icon):
 def landmarks(grid):
     """A ball at each marked vertex."""
     marks = vtk_to_numpy(grid.GetPointData().GetArray("landmark"))
-    for position in vtk_to_numpy(grid.GetPoints().GetData())[marks > 0]:
-        ball = vtk.vtkSphereSource()
-        ball.SetCenter(*position)
-        ball.SetRadius(0.025 * grid.GetLength())
-        ball.Update()
-        actor = line_actor(ball.GetOutput(), (0.75, 0.05, 0.1), 1)
-        actor.GetProperty().LightingOn()
-        yield actor
+    return balls_at(vtk_to_numpy(grid.GetPoints().GetData())[marks > 0], 0.025 * grid.GetLength())
 
 
 VIRIDIS = [matplotlib.colormaps["viridis"](i / 255)[:3] for i in range(256)]
@@ -329,25 +326,25 @@ def draw_detail(folder, output):
 
 
 def control_net(filename):
-    """The coefficients of a trivariate spline with equal numbers along its axes, as hexahedra."""
+    """The coefficients of a trivariate spline with equal numbers along its axes, as hexahedra, and those of its lower half."""
     rows = numpy.array([line.split() for line in Path(filename).read_text().splitlines() if line and line[0] not in "<"], float)
     n = round(len(rows) ** (1 / 3))
-    grid = vtk.vtkStructuredGrid()
-    grid.SetDimensions(n, n, n)
-    points = vtk.vtkPoints()
-    points.SetData(numpy_to_vtk(rows, deep=True))
-    grid.SetPoints(points)
-    whole = vtk.vtkAppendFilter()
-    whole.AddInputData(grid)
-    whole.Update()
-    return whole.GetOutput()
+    for layers in (n, n // 2 + 1):
+        grid = vtk.vtkStructuredGrid()
+        grid.SetDimensions(n, n, layers)
+        points = vtk.vtkPoints()
+        points.SetData(numpy_to_vtk(rows[:n * n * layers], deep=True))
+        grid.SetPoints(points)
+        whole = vtk.vtkAppendFilter()
+        whole.AddInputData(grid)
+        whole.Update()
+        yield whole.GetOutput()
 
 
 def draw_spline(folder, output):
-    """The control net of a spline, and one half of it."""
-    net = control_net(folder / "spline.xml")
+    """The control net of a spline, and the net up to its middle layer."""
     draw_row([([render.surface(grid)], (1, -2, 2), (0, 1, 0), title)
-              for grid, title in ((net, "control net"), (render.whole_cells_behind(net, (0, 0, 1)), "one half of it"))], output)
+              for grid, title in zip(control_net(folder / "spline.xml"), ("control net", "up to its middle layer"))], output)
 
 
 def plane_section(grid, normal):
@@ -404,6 +401,81 @@ def draw_conditions(folder, output):
         colors = colors_of_positions(source)
         bodies += [([painted_surface(body, colors)], (1, -3, 1), (0, 0, 1), words)
                    for body, words in ((source, title), (render.image_of(source), title_of_image))]
+    draw_row(bodies, output)
+
+
+def draw_lines(folder, output):
+    """A block, and what lines of conditions make of it, at one scale."""
+    direction, up = (1, -3, 1), (0, 0, 1)
+    grids = [(render.read(str(folder / f"{name}.vtu")), title) for name, title in (
+        ("held", "left fixed\nright x=3"), ("pressed", "bottom z=0\ntop z=0.5"), ("wavy", "bottom fixed\ntop surface wave.off"))]
+    images = [(render.image_of(grid), title) for grid, title in grids]
+    around = frame(grids[0][0], *(image for image, _ in images))
+    colors = colors_of_positions(grids[0][0], is_of_body=True)
+    draw_row([([painted_surface(grid, colors), around], direction, up, title)
+              for grid, title in ((grids[0][0], "block"), *images)], output)
+
+
+def balls_at(points, radius):
+    """A red ball at each point."""
+    for point in points:
+        ball = vtk.vtkSphereSource()
+        ball.SetCenter(*point)
+        ball.SetRadius(radius)
+        ball.Update()
+        actor = line_actor(ball.GetOutput(), (0.75, 0.05, 0.1), 1)
+        actor.GetProperty().LightingOn()
+        yield actor
+
+
+def draw_refinement(folder, output):
+    """A section of a body, of the same body with the vertices that refinement has added, and of its image with them."""
+    direction, up = (0, -1, 0), (0, 0, 1)
+    given, refined = (render.read(str(folder / f"{name}.vtu")) for name in ("fin", "fin_to_cube"))
+    bodies = [([render.surface(render.whole_cells_behind(given, direction))], direction, up, "tetrahedra of a body")]
+    for grid, title in ((refined, "added vertices"), (render.image_of(refined), "their images in the cube")):
+        added = vtk_to_numpy(grid.GetPoints().GetData())[given.GetNumberOfPoints():]
+        middle = sum(grid.GetBounds()[2:4]) / 2
+        bodies.append(([render.surface(render.whole_cells_behind(grid, direction)),
+                        *balls_at(added[added[:, 1] > middle], 0.008 * grid.GetLength())], direction, up, title))
+    draw_row(bodies, output)
+
+
+def inverted_cells(grid):
+    """The cells with a negative volume, red."""
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    corners = points[vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)]
+    edges = corners[:, 1:] - corners[:, :1]
+    inverted = vtk.vtkExtractCells()
+    inverted.SetInputData(grid)
+    ids = vtk.vtkIdList()
+    for i in numpy.flatnonzero(numpy.linalg.det(edges) <= 0):
+        ids.InsertNextId(i)
+    inverted.SetCellList(ids)
+    inverted.Update()
+    return render.surface(inverted.GetOutput(), RED)
+
+
+def draw_improvement(folder, output):
+    """The inverted cells of a mesh, and one half of it after --improve."""
+    direction, up, normal = (2, -3, 2), (0, 0, 1), (0, -1, 0)
+    tangled, improved = (render.read(str(folder / f"{name}.vtu")) for name in ("tangled", "improved"))
+    half = render.surface(render.whole_cells_behind(improved, normal))
+    draw_row([([inverted_cells(tangled), frame(tangled)], direction, up, "inverted cells of a cube"),
+              ([half, frame(tangled)], direction, up, "one half after the repair")], output)
+
+
+def draw_landmarks(folder, output):
+    """A cube with landmarks, and its fits to a scan without and with them."""
+    direction, up, _ = VIEWS["body_to_scan"]
+    source, fitted, marked = (render.read(str(folder / f"{name}.vtu")) for name in ("unmarked", "unmarked", "marked"))
+    vertices = [int(line.split()[0]) for line in (folder / "marks.txt").read_text().splitlines()]
+    colors = colors_of_positions(source, is_of_body=True)
+    bodies = []
+    for grid, title in ((source, "cube with landmarks"), (render.image_of(fitted), "fitted to a scan without them"),
+                        (render.image_of(marked), "fitted with them")):
+        points = vtk_to_numpy(grid.GetPoints().GetData())[vertices]
+        bodies.append(([painted_surface(grid, colors), *balls_at(points, 0.02 * grid.GetLength())], direction, up, title))
     draw_row(bodies, output)
 
 
@@ -612,6 +684,10 @@ def main(folder, output_folder):
     draw_spline(folder, output_folder / "spline_of_map.png")
     draw_moving(folder, output_folder / "moving_boundary.png")
     draw_conditions(folder, output_folder / "free_boundary.png")
+    draw_lines(folder, output_folder / "lines_of_conditions.png")
+    draw_refinement(folder, output_folder / "refinement.png")
+    draw_improvement(folder, output_folder / "improvement.png")
+    draw_landmarks(folder, output_folder / "landmarks.png")
     draw_boundaries(folder, output_folder / "boundaries.png")
     draw_energies(folder, output_folder / "energies.png")
     draw_hexahedra(folder / "hexahedra.vtu", output_folder / "hexahedra.png")
