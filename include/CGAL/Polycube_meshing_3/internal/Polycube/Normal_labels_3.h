@@ -169,7 +169,8 @@ private:
     return { order[0], order[1] };
   }
 
-  // Relabels the charts whose new labels lower the sum more than those of their neighbors. Returns whether there were any.
+  // Relabels the charts whose new labels lower the sum more than those of their neighbors: what a chart gains holds as long as its
+  // neighbors keep their labels. Returns whether there were any.
   bool relabel_charts(const double smoothing, Labels& labels) const
   {
     const auto [chart_of_face, n] = connected_charts_3(m_mesh, labels);

@@ -270,7 +270,7 @@ private:
   std::vector<Face> m_flipped_faces;
 };
 
-// Lowers the distortion of a map, and checks it; with the lengths of the surface, if that leads to a map.
+// Finishes the map to the polycube with the lengths of the surface; the given map, if that one is worse or cannot be finished.
 inline Surface_map_3 finished_map_3(Polycube_map_3& map, const Budget& budget)
 {
   if(std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget); other && other->finish(budget) == OK)

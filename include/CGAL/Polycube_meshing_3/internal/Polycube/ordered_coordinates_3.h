@@ -99,7 +99,7 @@ inline double closest_shift_of_integers(const std::vector<double>& weights, cons
 {
   constexpr double worth_of_extent = 0.001; // a guess; far above rounding, a sum that no one would notice
   double result = 0, least = (std::numeric_limits<double>::infinity)();
-  for(const double first : x) // from there, each number has the next smaller integer, and the mean of their distances is best
+  for(const double first : x) // where integers may start: each number belongs to the next smaller one, and the mean rest is best
   {
     double weight = 0, sum = 0, sum_of_squares = 0, lowest = 0, highest = 0;
     for(std::size_t i = 0; i < x.size(); ++i)

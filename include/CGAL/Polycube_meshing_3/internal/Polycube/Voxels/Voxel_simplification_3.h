@@ -57,11 +57,11 @@ public:
   // pieces are.
   Voxel_simplification_3(Voxels_3& voxels, const Voxel_faces_3& faces, const Pieces_of_surface_3& pieces,
                          const bool do_keep_corners)
-    : m_voxels(voxels), m_faces(faces), m_costs(pieces), m_do_keep_corners(do_keep_corners), m_face_of_piece(faces.faces),
+    : m_voxels(voxels), m_faces(faces), m_pieces(pieces), m_do_keep_corners(do_keep_corners), m_face_of_piece(faces.faces),
       m_is_moving(voxels.is_inside.size(), false)
   {
     for(std::size_t c = 0; c < m_face_of_piece.size(); ++c)
-      m_pieces[m_face_of_piece[c]].push_back(c);
+      m_pieces_on_face[m_face_of_piece[c]].push_back(c);
   }
 
   // Makes borders shorter and shorter.
@@ -176,17 +176,17 @@ private:
   {
     std::vector<std::pair<std::vector<std::size_t>, std::size_t> > moves; // all at once, as faces may be old and new ones
     for(const auto& [from, to] : faces)
-      if(const auto it = m_pieces.find(from); it != m_pieces.end())
+      if(const auto it = m_pieces_on_face.find(from); it != m_pieces_on_face.end())
       {
         moves.emplace_back(std::move(it->second), to);
-        m_pieces.erase(it);
+        m_pieces_on_face.erase(it);
       }
     for(const auto& [pieces, to] : moves)
       for(const std::size_t c : pieces)
       {
         changes.faces.emplace_back(c, m_face_of_piece[c]);
         m_face_of_piece[c] = to;
-        m_pieces[to].push_back(c);
+        m_pieces_on_face[to].push_back(c);
       }
   }
 
@@ -195,12 +195,12 @@ private:
     for(auto it = changes.faces.rbegin(); it != changes.faces.rend(); ++it)
     {
       const auto [piece, face] = *it;
-      std::vector<std::size_t>& pieces = m_pieces[m_face_of_piece[piece]];
+      std::vector<std::size_t>& pieces = m_pieces_on_face[m_face_of_piece[piece]];
       pieces.erase(std::find(pieces.begin(), pieces.end(), piece));
       if(pieces.empty())
-        m_pieces.erase(m_face_of_piece[piece]);
+        m_pieces_on_face.erase(m_face_of_piece[piece]);
       m_face_of_piece[piece] = face;
-      m_pieces[face].push_back(piece);
+      m_pieces_on_face[face].push_back(piece);
     }
     for(const std::size_t v : changes.voxels)
       m_voxels.is_inside[v] = !m_voxels.is_inside[v];
@@ -223,8 +223,8 @@ private:
       const std::size_t new_label = m_face_of_piece[piece] % 6;
       if(new_label == label)
         continue;
-      result += m_costs.costs[piece][label] - m_costs.costs[piece][new_label];
-      for(const auto& [other, length] : m_costs.borders[piece])
+      result += m_pieces.costs[piece][label] - m_pieces.costs[piece][new_label];
+      for(const auto& [other, length] : m_pieces.borders[piece])
       {
         const std::size_t label_of_other = old_label(other), new_label_of_other = m_face_of_piece[other] % 6;
         const double part = label_of_other != new_label_of_other ? 0.5 : 1; // as both are visited
@@ -238,7 +238,7 @@ private:
   bool sweep()
   {
     std::vector<std::size_t> faces;
-    for(const auto& [face, pieces] : m_pieces)
+    for(const auto& [face, pieces] : m_pieces_on_face)
       faces.push_back(face);
     std::sort(faces.begin(), faces.end());
     for(std::size_t i = faces.size(); i > 1; --i) // `std::shuffle()` differs between libraries
@@ -247,7 +247,7 @@ private:
     bool has_moved = false;
     for(const std::size_t face : faces)
     {
-      if(m_pieces.count(face) == 0 || visited.count(face) > 0)
+      if(m_pieces_on_face.count(face) == 0 || visited.count(face) > 0)
         continue;
       const std::vector<std::size_t> voxels = chart(face);
       for(const std::size_t v : voxels)
@@ -297,10 +297,10 @@ private:
 
   Voxels_3& m_voxels;
   const Voxel_faces_3& m_faces;
-  const Pieces_of_surface_3& m_costs;
+  const Pieces_of_surface_3& m_pieces;
   const bool m_do_keep_corners;
   std::vector<std::size_t> m_face_of_piece;
-  std::unordered_map<std::size_t, std::vector<std::size_t> > m_pieces; // of each face
+  std::unordered_map<std::size_t, std::vector<std::size_t> > m_pieces_on_face; // as they are now
   std::vector<bool> m_is_moving;
   double m_smoothing = 0;
   std::mt19937 m_random; // of a fixed seed

@@ -60,7 +60,7 @@ inline std::vector<std::size_t> spatial_order_3(const Matrix3Xd& source, const s
   return order;
 }
 
-// Returns the index of each vertex in an order.
+// Returns the place of each vertex in an order, which lists the vertices from place to place.
 inline std::vector<int> inverse_order(const std::vector<std::size_t>& order)
 {
   std::vector<int> indices(order.size());

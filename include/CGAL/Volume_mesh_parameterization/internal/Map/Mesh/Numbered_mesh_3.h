@@ -54,7 +54,7 @@ struct Numbered_mesh_3
   Matrix3Xd initial;              // images to start from, NaN where there is none; no column if there are none
   Conditions_3 conditions;        // of prescribed vertices, until some slide; none if all are at their targets
   Conditions_3 sliding_conditions; // of prescribed vertices from then on; none if none slides
-  std::optional<Similarity_3> alignment;   // of the source to what is prescribed, if that leaves a part of the boundary free
+  std::optional<Similarity_3> alignment;   // moves the source to what is prescribed; none if the whole boundary is
   bool is_boundary_fixed = true;           // are all vertices of the boundary at their targets until some slide?
   std::optional<double> reference_scale;   // of the source, with the least energy of its cells; none gives it the target's volume
   std::vector<std::array<int, 2> > marked_edges; // features of the body, if it brings any
@@ -203,7 +203,7 @@ inline Matrix_3 regular_edges()
   return { { 0, 1, 1 }, { 1, 0, 1 }, { 1, 1, 0 } };
 }
 
-// Lets regular cells of the mean volume in the target stand for those of the source.
+// Replaces the cells of the source by regular ones, whose volume is the mean of the reference volume.
 inline void set_regular_cell(Numbered_mesh_3& mesh)
 { mesh.regular_cell = regular_edges() * std::cbrt(3 * reference_volume(mesh) / mesh.global_number_of_cells()); }
 

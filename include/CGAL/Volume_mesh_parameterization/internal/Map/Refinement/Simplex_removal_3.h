@@ -217,7 +217,7 @@ private:
   const Body_3& m_body;
   const IsBad& m_is_bad;
   Refinement_3 m_refinement;
-  std::set<Simplex_3> m_known; // candidates, sorted
+  std::set<Simplex_3> m_known; // all that ever were candidates, so that none comes twice
   std::priority_queue<Candidate> m_queue;
 };
 
