@@ -7,8 +7,8 @@ A copy of the project in FOLDER gets a switch at each strategy in the list below
 no switches. The driver maps the boundary of each body to a polycube, and again without each strategy that it came across. If the
 images of the boundary differ then, or if the strategy is one of hexahedra, it makes hexahedra with and without it. A line is
 printed for each strategy: how many bodies came across it, and which are lost, worse, as good or better without it; for the others,
-nothing changes. A body is worse if its minimal scaled Jacobian is lower by 0.01 at least. If that is equal, the distance from the
-boundary decides. A strategy without which no body is lost or worse has no reason to stay.
+nothing changes. A body is worse if its minimal scaled Jacobian is lower by 0.01 at least. If that is equal, the number of features
+that are kept decides, and then the distance from the boundary. A strategy without which no body is lost or worse has no reason to stay.
 """
 import argparse
 import json
@@ -130,20 +130,22 @@ def run(arguments, driver, mesh, spacing, off="", only_polycube=False):
     if output.exists():
         result.update((key, said["hexahedra"][key]) for key in ("cells", "minimum_scaled_jacobian", "mean_scaled_jacobian"))
         result["boundary_distance"] = said["hexahedra"]["boundary_distance"] / spacing
+        features = said["hexahedra"]["features"]
+        result["features"] = sum(features[kind + "_kept"] for kind in ("corners", "curves", "patches"))
     return ({text[9:] for text in lines if text.startswith("strategy ")},
             [text for text in lines if text.startswith("images ")], result)
 
 
 def compared(before, after):
     """What the second result is: lost, worse, better, the same, or about as good."""
-    keys = ("cells", "minimum_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance")
+    keys = ("cells", "minimum_scaled_jacobian", "mean_scaled_jacobian", "boundary_distance", "features")
     if [before.get(key) for key in keys] == [after.get(key) for key in keys]:
         return "same"
     if "cells" not in after:
         return "lost"
     if "cells" not in before:
         return "better"
-    for key, sign in (("minimum_scaled_jacobian", 1), ("boundary_distance", -1)):
+    for key, sign in (("minimum_scaled_jacobian", 1), ("features", 1), ("boundary_distance", -1)):
         difference = sign * (after[key] - before[key])
         if abs(difference) >= TOLERANCE:
             return "better" if difference > 0 else "worse"
@@ -155,6 +157,8 @@ def main():
     parser.add_argument("folder", type=Path, help="for the copy of the project")
     parser.add_argument("bodies", type=Path, nargs="+", metavar="BODY", help="a tetrahedral mesh")
     parser.add_argument("--polycubes", action="store_true", help="leave out the strategies of hexahedra")
+    parser.add_argument("--strategies", type=lambda text: set(text.split(",")), default=set(STRATEGIES), metavar="NAME,...",
+                        help="the strategies that are switched off; all if left out")
     parser.add_argument("--number", type=float, default=40, help="of hexahedra along the diagonal of the bounding box")
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
     parser.add_argument("--time-limit", type=float, default=600, metavar="SECONDS",
@@ -168,6 +172,7 @@ def main():
     for body in arguments.bodies:
         spacing = diagonal_of([[float(x) for x in p] for p in read_points(sections(body)["Vertices"])]) / arguments.number
         strategies, images, _ = run(arguments, driver, body, spacing, only_polycube=True)
+        strategies &= arguments.strategies
         others = sorted(strategy for strategy in strategies
                         if run(arguments, driver, body, spacing, strategy, True)[1] != images)
         for strategy in strategies.difference(others):
@@ -175,7 +180,7 @@ def main():
         result = {}
         if others or not arguments.polycubes:
             strategies, _, result = run(arguments, driver, body, spacing)
-            others += sorted(strategy for strategy in strategies if STRATEGIES[strategy][0] == HEXAHEDRA)
+            others += sorted(strategy for strategy in strategies & arguments.strategies if STRATEGIES[strategy][0] == HEXAHEDRA)
         rows.append({"body": body.stem, "off": "", **result})
         print(rows[-1], flush=True)
         for strategy in others:
