@@ -147,4 +147,72 @@ double smallest_determinant(const Hexahedra& mesh)
   return smallest;
 }
 
+// Most of a ring, whose inner side is short.
+inline Vector3d bent(const Vector3d& p)
+{
+  const double angle = 1.2 * p[0], radius = 1 + p[1];
+  return Vector3d(radius * std::sin(angle), radius * std::cos(angle), p[2]);
+}
+
+// The cube [0, 8]^3 to a ball of radius 4: each sphere in the maximum norm becomes one in the Euclidean norm.
+inline Vector3d rounded(const Vector3d& p)
+{
+  const Vector3d q = p - Vector3d::Constant(4);
+  return q.isZero() ? q : Vector3d(q * (q.lpNorm<Eigen::Infinity>() / q.norm()));
+}
+
+// The cube [0, 4]^3 to a cylinder of radius 2: each square around the axis becomes a circle.
+inline Vector3d rounded_around_z(const Vector3d& p)
+{
+  const Vector3d q(p[0] - 2, p[1] - 2, 0);
+  return q.isZero() ? p : Vector3d(q * (q.lpNorm<Eigen::Infinity>() / q.norm()) + Vector3d(2, 2, p[2]));
+}
+
+// A disc with a thinner one on it: two cylinders with sharp circles, one of them concave.
+inline Body disc_with_stem()
+{
+  Body body(4, 0, rounded_around_z);
+  auto& cells = body.soup.cells;
+  cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
+              { const Vector3d p = body.center_of_image(cell) - Vector3d::Constant(2);
+                return p[2] > 0 && p.head<2>().lpNorm<Eigen::Infinity>() > 1; }), cells.end());
+  return body;
+}
+
+inline Body l_shaped_bar()
+{
+  Body bar(4, 0, bent);
+  auto& cells = bar.soup.cells;
+  cells.erase(std::remove_if(cells.begin(), cells.end(), [&](const std::array<std::size_t, 4>& cell)
+              { const Vector3d p = bar.center_of_image(cell); return p[1] > 2 && p[2] > 2; }), cells.end());
+  return bar;
+}
+
+inline std::vector<int> boundary_quadrangles_of_cells(const Hexahedron_soup_3& mesh)
+{
+  std::map<std::set<std::size_t>, std::vector<std::size_t> > cells;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    for(const auto& q : PM::internal::quadrangles_of_hexahedron)
+      cells[{ mesh.cells[c][q[0]], mesh.cells[c][q[1]], mesh.cells[c][q[2]], mesh.cells[c][q[3]] }].push_back(c);
+  std::vector<int> result(mesh.cells.size(), 0);
+  for(const auto& entry : cells)
+    if(entry.second.size() == 1)
+      ++result[entry.second[0]];
+  return result;
+}
+
+// A box whose faces the map has turned inside.
+inline Body turned_box()
+{
+  Body box(6, 0, same);
+  for(std::array<double, 3>& q : box.images)
+  {
+    const double x = q[0] - 3, y = q[1] - 3, part = (1 - x * x / 9) * (1 - y * y / 9); // 0 on the sides
+    const double angle = 1.3 * part;
+    q[0] = 3 + std::cos(angle) * x - std::sin(angle) * y;
+    q[1] = 3 + std::sin(angle) * x + std::cos(angle) * y;
+  }
+  return box;
+}
+
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_TEST_HEXAHEDRA_OF_BODIES_H

@@ -1,0 +1,179 @@
+// Ridges, corners, curves and patches of bodies that hexahedra keep.
+#include "hexahedra_of_bodies.h"
+
+#include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/stretch_minimizing_volume_parameterization.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+// A roof: the top of the cube [0, 8]^3 falls by 15 degrees on both sides of a ridge at y = 3, between planes of a grid.
+Vector3d roof(const Vector3d& p) { return Vector3d(p[0], p[1], p[2] * (1 - std::tan(CGAL_PI / 12) * std::abs(p[1] - 3) / 8)); }
+
+// The largest distance of points on the ridge to edges of quadrangles.
+double distance_of_ridge(const Hexahedron_soup_3& mesh)
+{
+  double farthest = 0;
+  for(int i = 0; i <= 80; ++i)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for(const auto& f : mesh.facets)
+      for(std::size_t k = 0; k < 4; ++k)
+      {
+        const auto point
+          = [&](const std::size_t v) { return K::Point_3(mesh.points[v][0], mesh.points[v][1], mesh.points[v][2]); };
+        const K::Segment_3 edge(point(f[k]), point(f[(k + 1) % 4]));
+        least = (std::min)(least, CGAL::squared_distance(K::Point_3(i / 10., 3, 8), edge));
+      }
+    farthest = (std::max)(farthest, std::sqrt(least));
+  }
+  return farthest;
+}
+
+// The complex of a soup, mapped to its polycube.
+struct Complex_on_polycube
+{
+  double spacing;
+  Cube_complex<>::C3t3 c3t3;
+  Cube_complex<>::Point_map uvw;
+
+  Complex_on_polycube(const Tetrahedron_soup_3& soup, const double spacing)
+    : spacing(spacing)
+  {
+    std::vector<Cube_complex<>::Vertex_handle> vertices;
+    std::vector<Cube_complex<>::Cell_handle> cells;
+    VMP::tetrahedron_soup_to_mesh_complex_3(soup, c3t3, vertices, cells);
+    REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+              c3t3, VMP::make_vertex_point_map(uvw),
+              CGAL::parameters::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3(spacing))
+                               .do_slide_boundary(true)).status == VMP::OK);
+  }
+
+  Hexahedral_mesh_result mesh(Hexahedron_soup_3& hexahedra)
+  { return PM::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
+};
+
+} // namespace
+
+TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a feature")
+{
+  constexpr double spacing = 2;
+  for(const bool has_features : { true, false })
+  {
+    Body body(8, 0, roof);
+    std::map<std::array<double, 3>, std::size_t> vertex_at;
+    for(std::size_t v = 0; v < body.images.size(); ++v)
+      vertex_at[body.images[v]] = v;
+    for(double x = 0; x < 8 && has_features; ++x)
+    {
+      body.soup.edges.push_back({ vertex_at.at({ x, 3, 8 }), vertex_at.at({ x + 1, 3, 8 }) });
+      body.soup.edge_references.push_back(7);
+    }
+    Complex_on_polycube complex(body.soup, spacing);
+    CHECK(complex.c3t3.number_of_edges_in_complex() == (has_features ? 8 : 0));
+    Hexahedron_soup_3 mesh;
+    REQUIRE(complex.mesh(mesh).status == VMP::OK);
+    CHECK((distance_of_ridge(mesh) < 0.1 * spacing) == has_features);
+  }
+}
+
+TEST_CASE("Marked corners on a ridge, in a face and on an edge of a complex are vertices of its hexahedra")
+{
+  constexpr double spacing = 2;
+  Body body(8, 0, roof);
+  std::map<std::array<double, 3>, std::size_t> vertex_at;
+  for(std::size_t v = 0; v < body.images.size(); ++v)
+    vertex_at[body.images[v]] = v;
+  const auto mark_edges = [&](const std::array<double, 3>& p, const std::array<double, 3>& way)
+  {
+    for(double i = 0; i < 8; ++i)
+      body.soup.edges.push_back({ vertex_at.at({ p[0] + i * way[0], p[1] + i * way[1], p[2] + i * way[2] }),
+                                  vertex_at.at({ p[0] + (i + 1) * way[0], p[1] + (i + 1) * way[1], p[2] + (i + 1) * way[2] }) });
+  };
+  mark_edges({ 0, 3, 8 }, { 1, 0, 0 });
+  mark_edges({ 0, 0, 0 }, { 0, 1, 0 });
+  body.soup.edge_references.assign(body.soup.edges.size(), 7);
+  Points corners; // all as far from planes of the grid as can be, in the directions in which vertices may move
+  for(const std::array<double, 3>& p : { std::array<double, 3>{ 3, 3, 8 }, { 5, 5, 0 }, { 0, 5, 0 }, { 8, 3, 5 } })
+    corners.push_back(body.soup.points[vertex_at.at(p)]);
+  for(const bool is_marked : { false, true })
+  {
+    body.soup.corners.clear();
+    for(const std::array<double, 3>& p : corners)
+      if(is_marked)
+        body.soup.corners.push_back(static_cast<std::size_t>(std::find(body.soup.points.begin(), body.soup.points.end(), p)
+                                                             - body.soup.points.begin()));
+    Hexahedron_soup_3 mesh;
+    const Hexahedral_mesh_result result = Complex_on_polycube(body.soup, spacing).mesh(mesh);
+    REQUIRE(result.status == VMP::OK);
+    CHECK(result.minimum_scaled_jacobian > 0.4);
+    CHECK(result.corners_given_up.empty());
+    CHECK(distance_of_ridge(mesh) < 0.1 * spacing);
+    for(const std::array<double, 3>& corner : corners)
+    {
+      double least = std::numeric_limits<double>::infinity();
+      for(const std::array<double, 3>& p : mesh.points)
+        least = (std::min)(least, (vector(p) - vector(corner)).norm());
+      CHECK((least < 1e-9) == is_marked);
+      CHECK((least > 0.1 * spacing) == !is_marked);
+    }
+  }
+}
+
+TEST_CASE("Of marked corners nearer to each other than hexahedra are wide, those without a vertex are told")
+{
+  Body box(8, 0, same);
+  for(std::size_t v = 0; v < box.images.size(); ++v)
+    if(const auto& [x, y, z] = box.images[v]; (3 <= x && x <= 5 && y == 0 && z == 0) || (x == 4 && y == 4 && z == 4))
+      box.soup.corners.push_back(v);
+  REQUIRE(box.soup.corners.size() == 4); // one inside, which is no corner of the surface
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(box.soup, box.images, 4, mesh);
+  CHECK(result.status == VMP::OK);
+  const std::set<std::array<double, 3> > given_up(result.corners_given_up.begin(), result.corners_given_up.end());
+  CHECK(given_up == std::set<std::array<double, 3> >{ { 3, 0, 0 }, { 5, 0, 0 } });
+  CHECK(result.message.find("Of 3 marked corners, 2 have no vertex, among them the one at (") != std::string::npos);
+}
+
+// The top of a cube is a ridge along the diagonal, which follows no axis: four curves meet at both of its ends.
+TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those that follow no axis")
+{
+  const Body body(6, 0, [](const Vector3d& p) -> Vector3d
+                  { return { p[0], p[1], p[2] * (1 - 0.08 * std::abs(p[0] - p[1])) }; });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = body.mesh(1, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  REQUIRE(result.status == VMP::OK);
+  check_boundary(mesh, body);
+  const PM::Hexahedral_mesh_features& features = result.features;
+  CHECK(features.number_of_corners == 8);
+  CHECK(features.number_of_curves == 13);
+  CHECK(features.number_of_patches == 7);
+  CHECK(features.number_of_corners_kept == 8);
+  CHECK(features.number_of_curves_kept == 13);
+  CHECK(features.number_of_patches_kept == 7);
+  CHECK(result.minimum_scaled_jacobian > 0.1);
+  CHECK(enclosed_volume(mesh) == Approx(36 * 6 - 36 * 6 * 0.08 * 2).epsilon(1e-9)); // the mean of |x - y| is 2
+}
+
+TEST_CASE("The message and the result name a feature without room in the hexahedra")
+{
+  const Body body(8, 0, [](const Vector3d& p) -> Vector3d
+                  { return { p[0], p[1], p[2] + (p[0] == 4 && p[1] == 4 && p[2] == 8 ? 2. : 0.) }; }); // a small pyramid
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = body.mesh(8, mesh);
+  CAPTURE(result.message);
+  REQUIRE(result.has_valid_mesh);
+  CHECK(result.features.number_of_corners_kept < result.features.number_of_corners);
+  REQUIRE(!result.features.curves_given_up.empty());
+  CHECK(result.message.find(" curves and ") != std::string::npos);
+}
