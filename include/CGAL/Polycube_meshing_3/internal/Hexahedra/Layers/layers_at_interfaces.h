@@ -63,16 +63,25 @@ inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadr
   return result;
 }
 
+// Patches of quadrangles of interfaces, by their sorted vertices, which a layer on a side of a quadrangle keeps.
+using Patches_of_quadrangles_3 = std::map<std::array<std::size_t, 4>, std::size_t>;
+
+inline Patches_of_quadrangles_3 patches_by_vertices_3(const std::vector<Interface_quadrangle_3>& quadrangles)
+{
+  Patches_of_quadrangles_3 result;
+  for(const Interface_quadrangle_3& q : quadrangles)
+    result.emplace(sorted(q.vertices), q.patch);
+  return result;
+}
+
 // Puts a layer around the hexahedra on both sides of each of these patches, so that in the patch quadrangles have one edge each
 // on its lines, and updates the quadrangles of interfaces. Returns the mesh as it is if a hexahedron is at two of the patches.
 inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_3& patches,
                                                std::vector<Interface_quadrangle_3>& quadrangles)
 {
   std::vector<int> parts(mesh.cells.size(), 0);
-  std::map<std::array<std::size_t, 4>, std::size_t> old_patches;
+  const Patches_of_quadrangles_3 old_patches = patches_by_vertices_3(quadrangles);
   for(const Interface_quadrangle_3& q : quadrangles)
-  {
-    old_patches[sorted(q.vertices)] = q.patch;
     for(const Quadrangle_of_hexahedron& side : q.sides)
       if(int& part = parts[side.cell]; patches.count(q.patch) > 0)
       {
@@ -80,7 +89,6 @@ inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_
           return mesh;
         part = static_cast<int>(q.patch);
       }
-  }
   std::vector<Quadrangle_of_hexahedron> covered;
   for(const Interface_quadrangle_3& q : quadrangles_between_3(mesh, parts))
     std::copy_if(q.sides.begin(), q.sides.end(), std::back_inserter(covered),
@@ -126,9 +134,10 @@ inline Hexahedra_3 with_layers_at_interfaces(const Body_with_domain_3& body, Hex
   const std::vector<Position_3> positions = Search_for_positions_3(mesh, plain_quadrangles, interfaces).run();
   move_to_images_of_positions(body, positions, domain);
   domain = Padding_3(domain, sides_with_layer_3(domain, plain_quadrangles), domain.cell_references).result();
-  quadrangles = interface_quadrangles_3(domain); // in the order of those before
-  for(std::size_t i = 0; i < quadrangles.size(); ++i)
-    quadrangles[i].patch = plain_quadrangles[i].patch;
+  quadrangles = interface_quadrangles_3(domain);
+  const Patches_of_quadrangles_3 plain_patches = patches_by_vertices_3(plain_quadrangles);
+  for(Interface_quadrangle_3& q : quadrangles)
+    q.patch = plain_patches.at(sorted(q.vertices));
   const Patches_3 patches = patches_with_straight_corners(quadrangles, positions);
   return patches.empty() ? domain : with_enclosed_patches(domain, patches, quadrangles);
 }
