@@ -17,6 +17,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -91,75 +92,111 @@ inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const
   return sum / (3. * static_cast<double>(corners.size()));
 }
 
-// Moves vertices one after the other, each to the best one of its 26 neighbors in a grid, where it may be, such that the
-// scaled Jacobians of its corners come nearer to the target: local optimization (Freitag and Ollivier-Gooch 1997) by pattern
-// search (Hooke and Jeeves 1961). Each uncovered point of the surfaces costs the price times its squared distance in mean edges;
-// otherwise, vertices would leave tips. Vertices at corners that reach the target move for uncovered points alone, as far as the
-// corners stay sufficient. Hexahedra that are not positive all over, and their neighbors, are improved inside, too.
+// Costs of the positions of vertices: what is missing at their corners to a goal, and the rest, which is what is missing inside of
+// hexahedra, and uncovered points of the surfaces.
+class Costs_of_positions_3
+{
+public:
+  Costs_of_positions_3(const Corners_of_hexahedra_3& corners, const std::vector<Covered_surface_3>& covered,
+                       const double price_of_uncovered, const Hexahedra_3& mesh)
+    : m_points(mesh.points), m_corners(m_points.size()), m_hexahedra(watched_hexahedra_3(m_points, mesh.cells)),
+      m_covers(m_points.size()), m_edge(mean_length_of_edges(m_points, corners.corners())), m_price(price_of_uncovered)
+  {
+    for(const std::array<std::size_t, 4>& corner : corners.corners())
+      for(const std::size_t v : corner)
+        m_corners[v].push_back(corner);
+    for(const Covered_surface_3& surface : covered)
+      add_covers_3(surface, m_points, tolerance * m_edge, m_covers);
+  }
+
+  double of_corners(const std::size_t v, const double goal, const double bound = (std::numeric_limits<double>::infinity)()) const
+  { return shortage(m_points, m_corners[v], m_edge, goal, bound); }
+
+  double of_rest(const std::size_t v) const
+  {
+    return shortage_inside(m_points, m_hexahedra[v])
+      + m_price * uncovered(m_points, m_covers[v], tolerance * m_edge) / (m_edge * m_edge);
+  }
+
+  const Corners_of_vertex& corners(const std::size_t v) const { return m_corners[v]; }
+
+  // Calls f for the vertices whose costs depend on that of a vertex.
+  template <typename Function>
+  void for_each_vertex_near(const std::size_t v, const Function& f) const
+  {
+    for(const std::array<std::size_t, 4>& corner : m_corners[v])
+      std::for_each(corner.begin(), corner.end(), f);
+    for(const std::array<std::size_t, 8>& hexahedron : m_hexahedra[v])
+      std::for_each(hexahedron.begin(), hexahedron.end(), f);
+  }
+
+private:
+  static constexpr double tolerance = 0.3; // a guess; relative to the mean edge
+
+  const std::vector<Vector_3>& m_points;
+  std::vector<Corners_of_vertex> m_corners;
+  const std::vector<Hexahedra_of_vertex> m_hexahedra;
+  std::vector<Cover_of_vertex_3> m_covers;
+  const double m_edge, m_price;
+};
+
+// Moves a vertex of a cost to the cheapest one of its 26 neighbors in a grid, where it may be. Returns whether one is cheaper.
+inline bool move_to_cheapest_neighbor_3(const std::size_t v, const Position_3& position, const double step, const double goal,
+                                        double cost, const Costs_of_positions_3& costs, std::vector<Vector_3>& points)
+{
+  const Vector_3 here = points[v];
+  Vector_3 best = here;
+  for(int i = 0; i < 27; ++i)
+  {
+    points[v] = position.nearest(here + step * Vector_3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
+    double next = costs.of_corners(v, goal, cost);
+    if(next < cost)
+      next += costs.of_rest(v);
+    if(next < cost)
+    {
+      cost = next;
+      best = points[v];
+    }
+  }
+  points[v] = best;
+  return !(best == here);
+}
+
+// Moves vertices one after the other such that the scaled Jacobians of their corners come nearer to the target: local
+// optimization (Freitag and Ollivier-Gooch 1997) by pattern search (Hooke and Jeeves 1961). Each uncovered point of the surfaces
+// costs the price times its squared distance in mean edges; otherwise, vertices would leave tips. Vertices at corners that reach
+// the target move for uncovered points alone, as far as the corners stay sufficient. Hexahedra that are not positive all over, and
+// their neighbors, are improved inside, too.
 inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std::vector<Position_3>& positions,
                                const std::vector<Covered_surface_3>& covered, const double target,
                                const double price_of_uncovered, const Budget& budget, Hexahedra_3& mesh)
 {
   constexpr int number_of_sweeps = 10;                         // a guess
   constexpr double first_width = 0.25, smallest_width = 0.004; // guesses; relative to the edges
-  constexpr double tolerance = 0.3;                            // a guess; relative to the mean edge
   std::vector<Vector_3>& points = mesh.points;
-  std::vector<Corners_of_vertex> corners_of_vertex(points.size());
-  for(const std::array<std::size_t, 4>& corner : corners.corners())
-    for(const std::size_t v : corner)
-      corners_of_vertex[v].push_back(corner);
-  const std::vector<Hexahedra_of_vertex> hexahedra_of_vertex = watched_hexahedra_3(points, mesh.cells);
-  const double edge = mean_length_of_edges(points, corners.corners());
-  std::vector<Cover_of_vertex_3> covers(points.size());
-  for(const Covered_surface_3& surface : covered)
-    add_covers_3(surface, points, tolerance * edge, covers);
-  std::vector<bool> is_settled(points.size(), false); // misses nothing, until a vertex near it moves
-  const auto unsettle_near = [&](const std::size_t v)
-  {
-    for(const std::array<std::size_t, 4>& corner : corners_of_vertex[v])
-      for(const std::size_t w : corner)
-        is_settled[w] = false;
-    for(const std::array<std::size_t, 8>& hexahedron : hexahedra_of_vertex[v])
-      for(const std::size_t w : hexahedron)
-        is_settled[w] = false;
-  };
-  const auto cost_of_uncovered = [&](const std::size_t v)
-  { return price_of_uncovered * uncovered(points, covers[v], tolerance * edge) / (edge * edge); };
+  const Costs_of_positions_3 costs(corners, covered, price_of_uncovered, mesh);
+  std::vector<bool> is_settled(points.size(), false); // costs nothing, until a vertex near it moves
   std::vector<double> widths(points.size(), first_width);
   for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
     for(const std::size_t v : corners.order())
     {
       if(positions[v].freedom == Freedom_3::NONE || widths[v] < smallest_width || is_settled[v] || budget.is_exhausted())
         continue;
-      const Corners_of_vertex& around = corners_of_vertex[v];
-      const double inside = shortage_inside(points, hexahedra_of_vertex[v]);
-      const double missing = shortage(points, around, edge, target), paid = inside + cost_of_uncovered(v);
-      is_settled[v] = missing == 0 && paid == 0;
+      const double of_rest = costs.of_rest(v);
+      double of_corners = costs.of_corners(v, target), goal = target;
+      is_settled[v] = of_corners == 0 && of_rest == 0;
       if(is_settled[v])
         continue;
-      const double goal
-        = missing > 0 ? target : (std::max)(target, (std::min)(sufficient_scaled_jacobian, least_scaled_jacobian(points, around)));
-      double least = (missing > 0 ? missing : shortage(points, around, edge, goal)) + paid;
-      const Vector_3 here = points[v];
-      Vector_3 best = here;
-      const double step = widths[v] * mean_length_of_edges(points, around);
-      for(int i = 0; i < 27; ++i)
+      if(of_corners == 0)
       {
-        points[v] = positions[v].nearest(here + step * Vector_3(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1));
-        double next = shortage(points, around, edge, goal, least);
-        if(next < least)
-          next += shortage_inside(points, hexahedra_of_vertex[v]) + cost_of_uncovered(v);
-        if(next < least)
-        {
-          least = next;
-          best = points[v];
-        }
+        goal = (std::max)(target, (std::min)(sufficient_scaled_jacobian, least_scaled_jacobian(points, costs.corners(v))));
+        of_corners = costs.of_corners(v, goal);
       }
-      points[v] = best;
-      if(best == here)
-        widths[v] /= 2;
+      const double step = widths[v] * mean_length_of_edges(points, costs.corners(v));
+      if(move_to_cheapest_neighbor_3(v, positions[v], step, goal, of_corners + of_rest, costs, points))
+        costs.for_each_vertex_near(v, [&](const std::size_t w) { is_settled[w] = false; });
       else
-        unsettle_near(v);
+        widths[v] /= 2;
     }
 }
 
