@@ -27,7 +27,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Search_for_polycube_3
 {
 public:
-  // Takes the factor from one weight of the lengths of edges to the next.
+  // Takes the factor from one smoothing, the weight of the lengths of borders, to the next one.
   Search_for_polycube_3(const Unit_surface_3& surface, const double factor, const Budget& budget)
     : m_surface(surface), m_mesh(surface.mesh), m_factor(factor), m_budget(budget)
   {}

@@ -132,6 +132,7 @@ struct Voxel_faces_3
   Vector_3 point(const Vertex v) const { return to_vector(mesh.point(v)); }
 
 private:
+  // Returns corner k of the face of a voxel in a direction, from its lowest corner; they lead around the axis.
   static Eigen::Vector3i corner(const std::size_t direction, const unsigned int k)
   {
     const int axis = axis_of_direction(direction);

@@ -62,6 +62,7 @@ struct Voxels_3
     return result;
   }
 
+  // Returns the steps along the axes from octant 0 to another one.
   static Eigen::Vector3i octant(const unsigned int k)
   { return Eigen::Vector3i(static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1), static_cast<int>(k >> 2 & 1)); }
 };

@@ -126,13 +126,29 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
   return result;
 }
 
+// Maps a surface to a polycube of voxels. If the charts cannot be drawn or mapped, it gets shorter edges near them, and the
+// shortest ones only if they are allowed: they multiply its cells.
+inline Surface_map_3 map_to_polycube_of_voxels_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface,
+                                                 const bool may_have_shortest_edges, const Budget& budget)
+{
+  constexpr std::array<double, 3> lengths_of_edges = { 1, 0.5, 0.25 }; // in voxels; guesses
+  for(std::size_t i = 0; i < (may_have_shortest_edges ? 3 : 2); ++i)
+  {
+    Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, lengths_of_edges[i] * polycube.size_of_voxels, budget);
+    if(drawn.chart_of_facet.empty())
+      continue;
+    if(Surface_map_3 map = map_drawn_polycube_3(polycube, std::move(drawn), budget); map.status == OK)
+      return map;
+  }
+  return {};
+}
+
 // Maps a surface to the cheapest of some polycubes of voxels: finer and finer ones, at several places.
 inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
-  constexpr std::array<double, 3> lengths_of_edges = { 1, 0.5, 0.25 }; // in voxels; shorter ones if chains are blocked
   const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
@@ -153,21 +169,12 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
       Unit_surface_3 fine = surface;
       split_long_edges_3([&](const Vector_3&) { return size_of_voxels; }, fine);
       const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, budget);
-      for(const double length : lengths_of_edges)
-      {
-        if(length < 0.5 && best.status == OK)
-          break; // a map of many more cells is worth it only if there is no other
-        Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, length * size_of_voxels, budget);
-        if(drawn.chart_of_facet.empty())
-          continue;
-        Surface_map_3 map = map_drawn_polycube_3(polycube, std::move(drawn), budget);
-        if(map.status != OK)
-          continue;
-        ++number_of_maps;
-        if(best.status != OK || cost_of_polycube(map) < cost_of_polycube(best))
-          best = std::move(map);
-        break;
-      }
+      Surface_map_3 map = map_to_polycube_of_voxels_3(polycube, surface, best.status != OK, budget);
+      if(map.status != OK)
+        continue;
+      ++number_of_maps;
+      if(best.status != OK || cost_of_polycube(map) < cost_of_polycube(best))
+        best = std::move(map);
     }
   }
   return best;
