@@ -38,9 +38,9 @@ int main()
 {
   const auto ball = [](const Point_3& p) { return CGAL::squared_distance(p, Point_3(0, 0, 0)) - 1; };
   Domain domain = Domain::create_implicit_mesh_domain(ball, K::Sphere_3(CGAL::ORIGIN, 2.));
-  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.2,
+  const CGAL::Mesh_criteria_3<Tr> criteria(params::facet_angle = 25, params::facet_size = 0.25,
                                            params::facet_distance = 0.02, params::cell_radius_edge_ratio = 2,
-                                           params::cell_size = 0.15);
+                                           params::cell_size = 0.2);
   const C3t3 c3t3 = mesh_body(domain, criteria);
 
   // the vertices of a small ball in the middle are constrained; they turn about the z-axis, the boundary stays
