@@ -163,7 +163,7 @@ public:
   }
 
 private:
-  static constexpr double pull = 5; // a guess; weight of covering the boundary: hardly makes corners worse
+  static constexpr double pull = 5; // a guess; of a point of the surface, beside 1 for a corner: corners hardly become worse
   static constexpr double firm_hold_of_lines = 15; // a guess; relative to other steps, as the worst corners weigh more
 
   const Body_surface_3& boundary() const { return *m_covered.front().surface; }
