@@ -41,7 +41,8 @@ inline void go_on(const Budget& budget)
     throw Interruption();
 }
 
-// Calls `read(budget)` with the limits of the named parameters, and returns false if they end it. `Tags` are other parameters.
+// Calls `read(budget)` with the limits of the named parameters, and returns false if they end it. `Tags` are the named parameters
+// that the caller has besides these limits.
 // Puts the name of the file, if there is one, in front of the sentence of a failure.
 template <typename... Tags, typename NamedParameters, typename Read>
 bool read_within_limits(const NamedParameters& np, const std::string& filename, const Read& read)

@@ -56,16 +56,16 @@ inline std::vector<std::array<double, 3> > points_of_vertices(const std::vector<
   return points;
 }
 
-// Returns the cells of a line, without blanks and quotes around them.
-inline std::vector<std::string> cells_of_line(const std::string_view line, const char separator)
+// Returns the fields of a line of a table, without blanks and quotes around them.
+inline std::vector<std::string> fields_of_line(const std::string_view line, const char separator)
 {
   std::vector<std::string> result;
   for(std::size_t begin = 0, end; begin <= line.size(); begin = end + 1)
   {
     end = (std::min)(line.find(separator, begin), line.size());
-    const std::string_view cell = line.substr(begin, end - begin), around = " \t\r\"";
-    const std::size_t first = (std::min)(cell.find_first_not_of(around), cell.size());
-    result.emplace_back(cell.substr(first, cell.find_last_not_of(around) + 1 - first));
+    const std::string_view field = line.substr(begin, end - begin), around = " \t\r\"";
+    const std::size_t first = (std::min)(field.find_first_not_of(around), field.size());
+    result.emplace_back(field.substr(first, field.find_last_not_of(around) + 1 - first));
   }
   return result;
 }
@@ -105,16 +105,24 @@ inline Columns_of_targets columns_of_header(const std::vector<std::string>& head
   throw Input_error("line 1: there are no columns 'Points:0', 'Points:1' and 'Points:2', or 'x', 'y' and 'z'");
 }
 
-// Reads the number that is all of a cell.
+// Reads the number that is all of a field.
 template <typename Number>
-Number number_of_cell(const std::vector<std::string>& cells, const std::size_t column, const char* const what,
+Number number_of_field(const std::vector<std::string>& fields, const std::size_t column, const char* const what,
                       const std::size_t line, const Budget& budget)
 {
-  const std::string cell = column < cells.size() ? cells[column] : "";
+  const std::string field = column < fields.size() ? fields[column] : "";
   const std::string what_where = what + (" (column " + std::to_string(column + 1) + ")");
-  if(cell.find_first_of("# \t") != cell.npos)
-    Text_scanner::fail(line, Text_scanner::quote(cell) + " is not " + what_where);
-  return Text_scanner(cell, budget, line).next_number<Number>(what_where.c_str());
+  if(field.find_first_of("# \t") != field.npos)
+    Text_scanner::fail(line, Text_scanner::quote(field) + " is not " + what_where);
+  return Text_scanner(field, budget, line).next_number<Number>(what_where.c_str());
+}
+
+// Returns the character between the fields of a line: a comma, or else a semicolon, or else a tab.
+inline char separator_of_fields(const std::string_view line)
+{
+  if(line.find(',') != line.npos)
+    return ',';
+  return line.find(';') != line.npos ? ';' : '\t';
 }
 
 // Reads a table. Without a line of names, its columns are the index of a vertex and three coordinates, or the coordinates alone.
@@ -122,11 +130,11 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
                                                           const Budget& budget)
 {
   const std::string_view first_line = text.substr(0, text.find('\n'));
-  const char separator = first_line.find(',') != first_line.npos ? ',' : first_line.find(';') != first_line.npos ? ';' : '\t';
-  const std::vector<std::string> header = cells_of_line(first_line, separator);
+  const char separator = separator_of_fields(first_line);
+  const std::vector<std::string> header = fields_of_line(first_line, separator);
   const bool has_names = header[0].find_first_of("+-.0123456789") != 0;
-  const Columns_of_targets columns = has_names ? columns_of_header(header)
-    : header.size() == 3 ? Columns_of_targets{ Columns_of_targets::none, { 0, 1, 2 } } : Columns_of_targets{ 0, { 1, 2, 3 } };
+  const Columns_of_targets without_index = { Columns_of_targets::none, { 0, 1, 2 } }, with_index = { 0, { 1, 2, 3 } };
+  const Columns_of_targets columns = has_names ? columns_of_header(header) : header.size() == 3 ? without_index : with_index;
   if(!has_names && header.size() > 4 && !header[4].empty())
     Text_scanner::fail(1, "there are " + std::to_string(header.size()) + " columns. Without a line of names, there must be an "
                           "index and three coordinates, or the coordinates alone");
@@ -136,17 +144,17 @@ inline std::vector<std::array<double, 3> > targets_of_CSV(const std::string_view
   {
     go_on(budget);
     end = (std::min)(text.find('\n', begin), text.size());
-    const std::vector<std::string> cells = cells_of_line(text.substr(begin, end - begin), separator);
-    if((++number == 1 && has_names) || (cells.size() == 1 && cells[0].empty()))
+    const std::vector<std::string> fields = fields_of_line(text.substr(begin, end - begin), separator);
+    if((++number == 1 && has_names) || (fields.size() == 1 && fields[0].empty()))
       continue;
-    for(std::size_t column = header.size(); column < cells.size(); ++column)
-      if(!cells[column].empty())
-        Text_scanner::fail(number, Text_scanner::quote(cells[column]) + " is in column " + std::to_string(column + 1)
+    for(std::size_t column = header.size(); column < fields.size(); ++column)
+      if(!fields[column].empty())
+        Text_scanner::fail(number, Text_scanner::quote(fields[column]) + " is in column " + std::to_string(column + 1)
                                    + ", but the first line has " + std::to_string(header.size()) + " columns");
     const auto coordinate = [&](const std::size_t i)
-    { return number_of_cell<double>(cells, columns.coordinates[i], "a finite coordinate", number, budget); };
+    { return number_of_field<double>(fields, columns.coordinates[i], "a finite coordinate", number, budget); };
     const std::size_t v = columns.index == Columns_of_targets::none ? targets.size()
-      : number_of_cell<std::size_t>(cells, columns.index, "the index of a vertex", number, budget);
+      : number_of_field<std::size_t>(fields, columns.index, "the index of a vertex", number, budget);
     if(v >= number_of_vertices)
       Text_scanner::fail(number, "vertex " + std::to_string(v) + " does not exist, the mesh has "
                                  + std::to_string(number_of_vertices) + " vertices, counted from 0");

@@ -161,10 +161,20 @@ inline Read_targets targets_by_triangles(const Points& points, const Triangles& 
   return result;
 }
 
+// Returns the points of the vertices of a surface for the vertices of a mesh that they are, and none for the others.
+inline Read_targets targets_of_vertices(const std::vector<std::size_t>& vertices, const std::vector<std::size_t>& vertex_of_mesh,
+                                        const Points& points, const std::size_t number_of_vertices)
+{
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Read_targets result = { Points(number_of_vertices, { nan, nan, nan }) };
+  for(const std::size_t v : vertices)
+    result.points[vertex_of_mesh[v]] = points[v];
+  return result;
+}
+
 // Finds the point of a surface for each vertex on the boundary of a mesh, or on a part of it, and none for the others. The
 // vertices of the surface are those of the mesh, or those of the boundary in the order of the mesh; or triangles identify them.
-inline Read_targets targets_of_surface(const Points& points, const Triangles& triangles,
-                                       const Tetrahedron_soup_3& mesh,
+inline Read_targets targets_of_surface(const Points& points, const Triangles& triangles, const Tetrahedron_soup_3& mesh,
                                        const Budget& budget)
 {
   const Triangles facets = boundary_facets_3(mesh.cells);
@@ -185,16 +195,10 @@ inline Read_targets targets_of_surface(const Points& points, const Triangles& tr
     return std::all_of(triangles.begin(), triangles.end(), [&](const auto& t)
     { return set_of_facets.count(sorted(std::array{ vertex[t[0]], vertex[t[1]], vertex[t[2]] })) != 0; });
   };
-  for(const auto& [vertex, can_be] : { std::make_pair(same, is_whole || points.size() == mesh.points.size()),
-                                       std::make_pair(in_order, is_whole) })
-    if(can_be && are_facets(vertex))
-    {
-      constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-      Read_targets result = { Points(mesh.points.size(), { nan, nan, nan }) };
-      for(const std::size_t v : vertices)
-        result.points[vertex[v]] = points[v];
-      return result;
-    }
+  if((is_whole || points.size() == mesh.points.size()) && are_facets(same))
+    return targets_of_vertices(vertices, same, points, mesh.points.size());
+  if(is_whole && are_facets(in_order))
+    return targets_of_vertices(vertices, in_order, points, mesh.points.size());
   if(triangles.empty() || !surface.is_oriented() || !boundary.surfaces[0].is_oriented())
     throw Input_error("the triangles of the surface are not an oriented manifold, and do not identify the vertices of the "
                       "source. Write the surface with the vertices in the order of the source");
