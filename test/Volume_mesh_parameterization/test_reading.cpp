@@ -389,11 +389,18 @@ TEST_CASE("Surfaces as other programs write them enclose a body")
   // a tetrahedron with a point on an edge, where a triangle has no area
   const Soup flat = read("OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.5 0 0\n3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",
                          ".off");
-  CHECK(flat.facets.size() == 6);
-  for(const auto& [u, v, w] : flat.facets)
-    CHECK_FALSE(CGAL::collinear(Exact_point(flat.points[u][0], flat.points[u][1], flat.points[u][2]),
-                                Exact_point(flat.points[v][0], flat.points[v][1], flat.points[v][2]),
-                                Exact_point(flat.points[w][0], flat.points[w][1], flat.points[w][2])));
+  // and with another one on the same edge of that triangle, which makes it a polygon without area
+  const Soup polygon = read("OFF\n6 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.5 0 0\n.25 0 0\n3 0 2 1\n3 0 4 3\n3 4 1 3\n"
+                            "3 1 2 3\n3 0 3 2\n4 0 1 4 5\n3 4 0 5\n", ".off");
+  for(const Soup& surface : { flat, polygon })
+  {
+    CHECK(surface.facets.size() == 6);
+    CHECK(surface.points.size() == 5);
+    for(const auto& [u, v, w] : surface.facets)
+      CHECK_FALSE(CGAL::collinear(Exact_point(surface.points[u][0], surface.points[u][1], surface.points[u][2]),
+                                  Exact_point(surface.points[v][0], surface.points[v][1], surface.points[v][2]),
+                                  Exact_point(surface.points[w][0], surface.points[w][1], surface.points[w][2])));
+  }
 
   std::string STL = "solid a b\n";
   for(const std::string vertices : { "0 0 0 0 1 0 1 0 0", "0 0 0 1 0 0 0 0 1", "1 0 0 0 1 0 0 0 1", "0 0 0 0 0 1 0 1 0" })

@@ -57,52 +57,6 @@ inline bool is_fan(const Points& polygon)
   return std::all_of(normals.begin(), normals.end(), [&](const Vector_3& normal) { return normal.dot(sum) > bound; });
 }
 
-// Returns whether a polygon has no area, up to the rounding of points.
-inline bool is_flat(const Points& polygon)
-{
-  constexpr double tiny = 1e-7; // a guess; the least height, relative to the longest edge from the first vertex
-  const Vector_3 origin = to_vector(polygon[0]);
-  Vector_3 sum(0, 0, 0);
-  double longest = 0;
-  for(std::size_t i = 1; i < polygon.size(); ++i)
-  {
-    sum = sum + (to_vector(polygon[i - 1]) - origin).cross(to_vector(polygon[i]) - origin);
-    longest = (std::max)(longest, (to_vector(polygon[i]) - origin).squaredNorm());
-  }
-  return sum.norm() <= tiny * longest;
-}
-
-// Cuts a polygon at its shortest diagonals first. In one without area, long ones may be edges of other polygons.
-inline Triangles cut_at_short_diagonals(const Points& polygon)
-{
-  Triangles result;
-  std::vector<std::size_t> left(polygon.size());
-  std::iota(left.begin(), left.end(), std::size_t(0));
-  while(left.size() > 2)
-  {
-    const std::size_t n = left.size();
-    const auto diagonal = [&](const std::size_t i)
-    { return (to_vector(polygon[left[(i + n - 1) % n]]) - to_vector(polygon[left[(i + 1) % n]])).squaredNorm(); };
-    std::size_t best = 0;
-    for(std::size_t i = 1; i < n && n > 3; ++i)
-      best = diagonal(i) < diagonal(best) ? i : best;
-    result.push_back({ left[(best + n - 1) % n], left[best], left[(best + 1) % n] });
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  return result;
-}
-
-// Returns triangles that cover a polygon: those at its first vertex, if they do.
-inline Triangles triangles_that_cover(const Points& polygon)
-{
-  Triangles triangles;
-  if(polygon.size() > 3 && !is_fan(polygon))
-    triangles = is_flat(polygon) ? cut_at_short_diagonals(polygon) : triangles_of_polygon(polygon);
-  for(std::size_t i = 2; i < polygon.size() && triangles.size() + 2 < polygon.size(); ++i)
-    triangles.push_back({ 0, i - 1, i });
-  return triangles;
-}
-
 // Returns a surface as a soup without cells.
 template <typename Polygons>
 Tetrahedron_soup_3 surface_of_polygons(Points points, const Polygons& polygons)
@@ -114,7 +68,13 @@ Tetrahedron_soup_3 surface_of_polygons(Points points, const Polygons& polygons)
     Points points_of_polygon;
     for(const std::size_t v : polygon)
       points_of_polygon.push_back(result.points[checked_vertex(static_cast<std::int64_t>(v), 0, result.points.size())]);
-    for(const auto& [i, j, k] : triangles_that_cover(points_of_polygon))
+    Triangles triangles;
+    if(polygon.size() > 3 && !is_fan(points_of_polygon))
+      triangles = triangles_of_polygon(points_of_polygon);
+    if(triangles.empty())
+      for(std::size_t i = 2; i < polygon.size(); ++i)
+        triangles.push_back({ 0, i - 1, i });
+    for(const auto& [i, j, k] : triangles)
       result.facets.push_back({ polygon[i], polygon[j], polygon[k] });
   }
   result.facet_references.resize(result.facets.size());

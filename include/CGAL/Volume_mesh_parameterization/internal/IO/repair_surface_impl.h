@@ -115,6 +115,35 @@ inline void remove_unused(Tetrahedron_soup_3& surface)
   remove_unused_points(surface);
 }
 
+// Removes pairs of triangles without area, up to rounding, that have the same vertices: they enclose nothing. Polygons without
+// area become such triangles.
+inline void remove_flat_pairs(Tetrahedron_soup_3& surface)
+{
+  constexpr double small_part = 1e-4; // a guess; the height of a flat triangle, relative to its longest edge
+  const auto is_flat = [&](const std::array<std::size_t, 3>& triangle)
+  {
+    const auto [a, b] = edges_of_facet(triangle, [&](const std::size_t v) { return to_vector(surface.points[v]); });
+    const double longest = (std::max)({ a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm() });
+    return a.cross(b).norm() <= small_part * longest;
+  };
+  std::map<std::array<std::size_t, 3>, std::size_t> last; // of each set of vertices
+  std::set<std::size_t> removed;
+  for(std::size_t t = 0; t < surface.facets.size(); ++t)
+    if(is_flat(surface.facets[t]))
+    {
+      const auto [entry, is_first] = last.emplace(sorted(surface.facets[t]), t);
+      if(is_first)
+        continue;
+      removed.insert({ entry->second, t });
+      last.erase(entry);
+    }
+  Triangles kept;
+  for(std::size_t t = 0; t < surface.facets.size(); ++t)
+    if(removed.count(t) == 0)
+      kept.push_back(surface.facets[t]);
+  surface.facets = kept;
+}
+
 inline void join_points(Tetrahedron_soup_3& surface, const double given_distance)
 {
   if(is_manifold(surface))
@@ -127,6 +156,10 @@ inline void join_points(Tetrahedron_soup_3& surface, const double given_distance
   };
   Tetrahedron_soup_3 joined = surface;
   Polygon_soup soup(surface);
+  Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(soup.points, soup.polygons);
+  soup.assign_to(joined);
+  remove_flat_pairs(joined);
+  soup = Polygon_soup(joined);
   Polygon_mesh_processing::repair_polygon_soup(soup.points, soup.polygons);
   soup.assign_to(joined);
   if(is_closed(joined) || given_distance > 0)
@@ -146,6 +179,7 @@ inline void join_points(Tetrahedron_soup_3& surface, const double given_distance
     const double distance = given_distance > 0 ? given_distance : part * diagonal();
     Tetrahedron_soup_3 nearby = joined;
     join_points_at_gaps(nearby, distance);
+    remove_flat_pairs(nearby);
     remove_unused(nearby);
     if(!is_closed(nearby))
       continue;
