@@ -35,11 +35,12 @@ public:
   Surface_intersection_3(const Any_surface_3& first, const Any_surface_3& second) : m_first(first), m_second(second) {}
 
   /// returns the point to which Newton's method leads from `p`, with the tangent of the curve there. If no point of both surfaces
-  /// is found, the point is on one of them only, and not `p`.
+  /// is found, the point is the one nearest to `p` on the farther surface, and not `p`.
   Surface_point_3 nearest_point(const std::array<double, 3>& p) const
   {
     constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
-    internal::Vector_3 x = newton_point({ p[0], p[1], p[2] }, normal_and_distance), offset = farther_offset(x);
+    const internal::Vector_3 start(p[0], p[1], p[2]);
+    internal::Vector_3 x = newton_point(start, normal_and_distance), offset = farther_offset(x);
     const auto is_on_both = [&] { return length(offset) <= rounding * x.cwiseAbs().maxCoeff(); };
     if(!is_on_both()) // beyond a border, a tangent plane is no surface
     {
@@ -48,7 +49,7 @@ public:
         std::tie(x, offset) = std::pair(y, offset_of_y);
     }
     const internal::Vector_3 tangent = normal_and_distance(m_first, x).first.cross(normal_and_distance(m_second, x).first);
-    const internal::Vector_3 q = x + offset;
+    const internal::Vector_3 q = start + farther_offset(start);
     return { is_on_both() ? m_second.nearest_point({ x[0], x[1], x[2] }).point : std::array<double, 3>{ q[0], q[1], q[2] },
              { tangent[0], tangent[1], tangent[2] } };
   }

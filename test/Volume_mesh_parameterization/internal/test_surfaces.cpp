@@ -243,6 +243,18 @@ TEST_CASE("A curve ends at the border of a patch")
     CHECK((nearest({ 3, 1.5, 0 }) - Vector3d(1, 0.8, 0)).norm() < 1e-14);
     CHECK((nearest({ -2, 0.1, 0.3 }) - Vector3d(0, 0.3, 0)).norm() < 1e-14);
   }
+  // surfaces that do not meet: no point is its own nearest one
+  const VMP::Any_surface_3 far_patch = VMP::Triangulated_surface_3({ { 0, 5, 0 }, { 1, 5, 0 }, { 1, 6, 0 } }, { { 0, 1, 2 } });
+  for(const auto& curve : { VMP::Surface_intersection_3(far_patch, plane), VMP::Surface_intersection_3(plane, far_patch) })
+  {
+    Point p = { 0.5, 0.5, 0.2 };
+    for(int i = 0; i < 5; ++i)
+    {
+      const Point q = curve.nearest_point(p).point;
+      CHECK((vector(q) - vector(p)).norm() > 0.1);
+      p = q;
+    }
+  }
 }
 
 TEST_CASE("A tank whose boundary was stirred slides back on its wall, which is exact")
