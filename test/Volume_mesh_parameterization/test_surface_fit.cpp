@@ -206,6 +206,48 @@ TEST_CASE("Sharp edges and corners of the target are met by those of the body")
   CHECK(fit.largest_distance_to_surface < 1e-12);
 }
 
+TEST_CASE("Curved sharp edges are split where those of the target have vertices")
+{
+  // a cylinder of a cube, whose squares become circles, and a prism
+  VMP::Tetrahedron_soup_3 mesh = cube(4);
+  for(Point& p : mesh.points)
+    if(const double norm = std::hypot(p[0], p[1]); norm > 0)
+    {
+      const double factor = (std::max)(std::abs(p[0]), std::abs(p[1])) / norm;
+      p = { factor * p[0], factor * p[1], p[2] };
+    }
+  constexpr std::size_t n = 11;
+  Surface prism;
+  for(const double z : { -1., 1. })
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const double angle = 2 * CGAL_PI * static_cast<double>(i) / n;
+      prism.points.push_back({ std::cos(angle), std::sin(angle), z });
+    }
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t j = (i + 1) % n;
+    prism.triangles.push_back({ i, j, n + j });
+    prism.triangles.push_back({ i, n + j, n + i });
+    if(i > 0 && j > 0)
+    {
+      prism.triangles.push_back({ 0, j, i });
+      prism.triangles.push_back({ n, n + i, n + j });
+    }
+  }
+  Points uvw;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    mesh, uvw, params::boundary_parameterizer(Fit(prism.points, prism.triangles, {}, 0.01))
+                      .refinement_mode(VMP::Refinement_mode::BOUNDARY));
+  CAPTURE(result.message);
+  REQUIRE(result.status == VMP::OK);
+  for(const Point& q : prism.points)
+    CHECK(std::any_of(uvw.begin(), uvw.end(), [&](const Point& p) { return distance(p, q) < 0.05; }));
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mesh.cells, prism.points, prism.triangles);
+  CHECK(fit.largest_distance_to_surface < 1e-12);
+  CHECK(fit.largest_distance_from_surface < 0.02); // points of the surface that are no vertices may be twice as far
+}
+
 TEST_CASE("A fit needs two spheres and finite landmarks")
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();

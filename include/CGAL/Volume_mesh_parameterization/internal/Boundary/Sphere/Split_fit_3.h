@@ -24,8 +24,10 @@ class Split_fit_3
 public:
   // Takes a fitted pair, with the mesh of its surface.
   Split_fit_3(const Surface_pair_3& pair, const Boundary_mesh_3& mesh, const Triangulated_surface_3& triangulated_target)
-    : m_fit{ *pair.surface.surface, mesh, pair.surface.directions, pair.images, {} }, m_target(pair.target), m_goals(pair.goals),
-      m_on_target(*m_target.surface, m_target.directions), m_triangulated_target(triangulated_target)
+    : m_fit{ *pair.surface.surface, mesh, pair.surface.directions, pair.images, {}, pair.features }, m_target(pair.target),
+      m_goals(pair.goals), m_holds_features(pair.holds_features),
+      m_on_target(m_target.surface->points, m_target.surface->facets, m_target.directions),
+      m_triangulated_target(triangulated_target)
   {}
 
   // Splits edges until no midpoint of an edge, and no vertex of the target, is farther than the tolerance from the other surface.
@@ -58,6 +60,7 @@ private:
     Boundary_mesh_3 mesh;
     std::vector<Vector_3> directions, images;
     std::vector<std::array<std::size_t, 2> > splits;
+    Matched_features_3 features;
   };
 
   // Returns the edges whose images have midpoints farther than a distance from the target, and the longest edges of the facets
@@ -67,7 +70,7 @@ private:
     Numbered_surface_3 image;
     image.points = m_fit.images;
     image.facets = m_fit.surface.facets;
-    const Surface_on_sphere_3 on_image(image, m_fit.directions);
+    const Surface_on_sphere_3 on_image(image.points, image.facets, m_fit.directions);
     const auto is_beyond = [&](const Surface_on_sphere_3& surface, const Vector_3& p)
     { return (surface.nearest_position(p).point - p).norm() > distance; };
     std::vector<double> lengths;
@@ -76,7 +79,10 @@ private:
     {
       const auto v = m_fit.mesh.vertex(e, 0), w = m_fit.mesh.vertex(e, 1);
       lengths.push_back((m_fit.surface.points[v] - m_fit.surface.points[w]).norm());
-      if(is_beyond(m_on_target, (m_fit.images[v] + m_fit.images[w]) / 2))
+      const auto at = m_fit.features.edges.find({ (std::min)(v, w), (std::max)(v, w) });
+      const bool is_on_curve = m_holds_features && at != m_fit.features.edges.end();
+      if(is_on_curve ? at->second.curve->farthest_vertex(at->second.first, at->second.last).first > distance
+                     : is_beyond(m_on_target, (m_fit.images[v] + m_fit.images[w]) / 2))
         edges.push_back(e);
     }
     for(std::size_t v = 0; v < m_target.directions.size(); ++v)
@@ -124,6 +130,7 @@ private:
       const auto [v, w] = split_edge_3(m_fit.mesh, e);
       const Surface_position_3 position
         = m_on_target.position_in_direction((m_fit.directions[v] + m_fit.directions[w]).normalized());
+      m_fit.features.split({ v, w }, m_fit.images.size());
       m_fit.splits.push_back({ v, w });
       m_fit.surface.points.push_back((m_fit.surface.points[v] + m_fit.surface.points[w]) / 2);
       m_fit.directions.push_back(position.direction);
@@ -143,6 +150,8 @@ private:
     const Vertex_rings_3 rings(m_fit.mesh);
     Surface_pair_3 relaxed = { { &m_fit.surface, &rings, m_fit.directions }, m_target };
     relaxed.goals = m_goals;
+    relaxed.features = m_fit.features;
+    relaxed.holds_features = m_holds_features;
     relaxed.sharpen(budget);
     const std::vector<bool> is_spoilt = are_spoilt(relaxed.images);
     if(!has_any(is_spoilt.begin(), is_spoilt.end()))
@@ -173,6 +182,7 @@ private:
   Fit m_fit;
   Surface_in_sphere_3 m_target;
   Goals_3 m_goals;
+  bool m_holds_features;
   Surface_on_sphere_3 m_on_target;
   const Triangulated_surface_3& m_triangulated_target;
 };

@@ -26,23 +26,25 @@ struct Surface_position_3
   Vector_3 point, direction, normal;
 };
 
-// Triangulated surface with a map onto the unit sphere around the origin. The map is one to one.
+// Triangulated surface, or a part of it, with a map onto the unit sphere around the origin. The map is one to one.
 class Surface_on_sphere_3
 {
 public:
-  Surface_on_sphere_3(const Numbered_surface_3& surface, const std::vector<Vector_3>& directions)
-    : m_surface(surface), m_directions(directions), m_normals(surface.points.size(), Vector_3::Zero())
+  using Facets = std::vector<std::array<std::size_t, 3> >;
+
+  Surface_on_sphere_3(const std::vector<Vector_3>& points, const Facets& facets, const std::vector<Vector_3>& directions)
+    : m_points(points), m_directions(directions), m_normals(points.size(), Vector_3::Zero()), m_facets(facets)
   {
-    for(const auto& facet : surface.facets)
+    for(const auto& facet : facets)
     {
-      const Vector_3 normal = normal_of(facet, surface.points);
+      const Vector_3 normal = normal_of(facet, points);
       for(const std::size_t v : facet)
         m_normals[v] += normal;
       m_triangles_in_sphere.push_back(triangle(facet, directions));
-      if(const Kernel::Triangle_3 t = triangle(facet, surface.points); !t.is_degenerate())
+      if(const Kernel::Triangle_3 t = triangle(facet, points); !t.is_degenerate())
       {
         m_triangles.push_back(t);
-        m_facets.push_back(facet);
+        m_facets_with_area.push_back(facet);
       }
     }
     for(Vector_3& normal : m_normals)
@@ -52,15 +54,20 @@ public:
     m_tree_in_sphere.rebuild(m_triangles_in_sphere.cbegin(), m_triangles_in_sphere.cend());
   }
 
+  // Takes some facets of a whole surface. Normals at their border are those of these facets.
+  Surface_on_sphere_3(const Surface_on_sphere_3& whole, const Facets& facets)
+    : Surface_on_sphere_3(whole.m_points, facets, whole.m_directions)
+  {}
+
   Surface_on_sphere_3(const Surface_on_sphere_3&) = delete; // the trees refer to the triangles
   Surface_on_sphere_3& operator=(const Surface_on_sphere_3&) = delete;
 
   Surface_position_3 nearest_position(const Vector_3& p) const
   {
     const auto [nearest, primitive] = m_tree.closest_point_and_primitive(kernel_point(p));
-    const Facet& facet = m_facets[static_cast<std::size_t>(primitive - m_triangles.cbegin())];
-    const Vector_3 q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_surface.points);
-    return position(facet, m_surface.points, [&](const Vector_3& a, const Vector_3& b)
+    const Facet& facet = m_facets_with_area[static_cast<std::size_t>(primitive - m_triangles.cbegin())];
+    const Vector_3 q(nearest.x(), nearest.y(), nearest.z()), normal = normal_of(facet, m_points);
+    return position(facet, m_points, [&](const Vector_3& a, const Vector_3& b)
     { return (a - q).cross(b - q).dot(normal); });
   }
 
@@ -73,7 +80,7 @@ public:
 
   Surface_position_3 position_in_direction(const Vector_3& d) const
   {
-    return position(m_surface.facets[facet_in_direction(d)], m_directions,
+    return position(m_facets[facet_in_direction(d)], m_directions,
                     [&](const Vector_3& a, const Vector_3& b) { return a.cross(b).dot(d); });
   }
 
@@ -96,13 +103,13 @@ private:
     weights = weights.sum() > 0 ? weights / weights.sum() : Vector_3::Unit(0);
     const auto mean = [&](const std::vector<Vector_3>& values)
     { return weights[0] * values[facet[0]] + weights[1] * values[facet[1]] + weights[2] * values[facet[2]]; };
-    return { mean(m_surface.points), mean(m_directions).normalized(), mean(m_normals).normalized() };
+    return { mean(m_points), mean(m_directions).normalized(), mean(m_normals).normalized() };
   }
 
-  const Numbered_surface_3& m_surface;
+  const std::vector<Vector_3>& m_points;
   const std::vector<Vector_3>& m_directions;
   std::vector<Vector_3> m_normals;
-  std::vector<Facet> m_facets; // with an area
+  Facets m_facets, m_facets_with_area;
   AABB_trees_3::Triangles m_triangles, m_triangles_in_sphere;
   AABB_trees_3::Of_triangles m_tree, m_tree_in_sphere;
 };

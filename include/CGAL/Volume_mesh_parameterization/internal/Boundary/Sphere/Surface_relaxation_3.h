@@ -13,17 +13,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_on_sphere_3.h>
-
-#include <map>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/matched_features_3.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Vertices of a surface, each with the point that it is pulled to.
-using Goals_3 = std::map<int, Vector_3>;
-
 // Map of a triangulated sphere onto another one. Vertices move on the target to lower the distortion of their triangles, and
-// towards their goals. In the sphere that both surfaces are mapped to, triangles remain positive.
+// towards their goals. In the sphere that both surfaces are mapped to, triangles remain positive. Vertices of features go to these
+// as soon as this allows it, and others to their regions.
 //
 // The distortion of a triangle is Q (1 + 1 / X^2), with its Dirichlet energy Q. X is the ratio of the areas, made positive as for
 // untangling, X = (D + sqrt(D^2 + e^2)) / 2. D is negative where the image is turned over.
@@ -31,8 +27,9 @@ class Surface_relaxation_3
 {
 public:
   Surface_relaxation_3(const std::vector<Vector_3>& points, const Vertex_rings_3& rings, const Surface_on_sphere_3& target,
-                       const std::vector<Vector_3>& directions, const double epsilon, const Goals_3& goals)
-    : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon), m_goals(goals)
+                       const std::vector<Vector_3>& directions, const double epsilon, const Goals_3& goals,
+                       const Held_features_3& held)
+    : m_points(points), m_rings(rings), m_target(target), m_epsilon(epsilon), m_goals(goals), m_held(held)
   {
     for(const Vector_3& d : directions)
       m_positions.push_back(target.position_in_direction(d));
@@ -78,8 +75,35 @@ private:
     return result;
   }
 
+  bool move(const int v, const Surface_position_3& position)
+  {
+    const bool result = is_admissible(v, position.direction);
+    if(result)
+      m_positions[v] = position;
+    return result;
+  }
+
+  // Returns the part of the target in which a vertex stays. A vertex outside of it goes to the mean of its neighbors first.
+  const Surface_on_sphere_3& target_of(const int v)
+  {
+    constexpr double rounding = 1e-9; // the target has about the size 1
+    const Surface_on_sphere_3* const region = m_held.region(v);
+    if(region == nullptr || (region->nearest_position(m_positions[v].point).point - m_positions[v].point).norm() < rounding)
+      return region == nullptr ? m_target : *region;
+    Vector_3 sum = Vector_3::Zero();
+    for(const int w : m_rings[v])
+      sum += m_positions[w].point;
+    return move(v, region->nearest_position(sum / static_cast<double>(m_rings[v].size()))) ? *region : m_target;
+  }
+
   void relax(const int v)
   {
+    if(const Surface_position_3* const held = m_held.position(v))
+    {
+      move(v, *held);
+      return;
+    }
+    const Surface_on_sphere_3& target = target_of(v);
     Vector_3 gradient = Vector_3::Zero();
     Matrix_3 hessian = Matrix_3::Zero();
     const double before = distortion(v, m_positions[v], &gradient, &hessian);
@@ -91,12 +115,9 @@ private:
     constexpr double smallest = 0.01; // a guess
     for(double length = 1; length > smallest; length /= 3)
     {
-      const Surface_position_3 candidate = m_target.nearest_position(m_positions[v].point + length * step);
-      if(distortion(v, candidate) < before && is_admissible(v, candidate.direction))
-      {
-        m_positions[v] = candidate;
+      const Surface_position_3 candidate = target.nearest_position(m_positions[v].point + length * step);
+      if(distortion(v, candidate) < before && move(v, candidate))
         return;
-      }
     }
   }
 
@@ -147,6 +168,7 @@ private:
   const Surface_on_sphere_3& m_target;
   double m_epsilon; // e
   const Goals_3& m_goals;
+  const Held_features_3& m_held;
   std::vector<Surface_position_3> m_positions;
 };
 
@@ -164,13 +186,19 @@ struct Surface_pair_3
   Surface_in_sphere_3 surface, target;
   std::vector<Vector_3> images = {}; // of the vertices of `surface`
   double distortion = 0; // of the images
-  Goals_3 goals = {}, features = {}; // of vertices of `surface`; features are among the goals, and are met in the end if possible
+  Goals_3 goals = {}; // of vertices of `surface`
+  Matched_features_3 features = {};
+  bool holds_features = false; // otherwise, they are goals
 
   // Moves the vertices of the surface on the target.
   void relax(const int number_of_sweeps, const double epsilon, const Budget& budget)
   {
-    const Surface_on_sphere_3 on_sphere(*target.surface, target.directions);
-    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon, goals);
+    const Surface_on_sphere_3 on_sphere(target.surface->points, target.surface->facets, target.directions);
+    Goals_3 all_goals = goals;
+    all_goals.insert(features.points.begin(), features.points.end());
+    const Held_features_3 held(surface.surface->facets, holds_features ? features : Matched_features_3(), target.surface->facets,
+                               on_sphere);
+    Surface_relaxation_3 map(surface.surface->points, *surface.rings, on_sphere, surface.directions, epsilon, all_goals, held);
     map.relax(number_of_sweeps, budget);
     distortion = map.distortion();
     images.clear();
@@ -186,7 +214,7 @@ struct Surface_pair_3
   void relax_to_goals(const double epsilon, const Budget& budget)
   {
     constexpr int number_of_sweeps = 20; // a guess
-    if(!goals.empty())
+    if(!goals.empty() || !features.points.empty())
       relax(number_of_sweeps, epsilon, budget);
   }
 

@@ -14,7 +14,6 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Split_fit_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/matched_features_3.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -106,9 +105,11 @@ inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector
     pair.*side = pair.*side / size;
 }
 
-inline void sort_by_distortion(std::vector<Surface_pair_3>& pairs)
+// Sorts pairs by their distortion, behind those with all features.
+inline void sort_pairs(std::vector<Surface_pair_3>& pairs)
 {
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.distortion < b.distortion; });
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Surface_pair_3& a, const Surface_pair_3& b)
+  { return std::make_pair(!a.features.are_complete, a.distortion) < std::make_pair(!b.features.are_complete, b.distortion); });
 }
 
 // Returns the ways in which landmarks or axes turn the surface of a pair, those with less distortion first.
@@ -116,7 +117,7 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
                                                 const bool have_features, const double epsilon, const Budget& budget)
 {
   constexpr int number_of_sweeps = 5; // a guess
-  const Surface_on_sphere_3 on_sphere(*pair.target.surface, pair.target.directions);
+  const Surface_on_sphere_3 on_sphere(pair.target.surface->points, pair.target.surface->facets, pair.target.directions);
   std::vector<Surface_pair_3> result;
   for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks,
                                           have_features))
@@ -125,7 +126,7 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
     turn_to_landmarks_3(wanted, result.back().surface.directions);
     result.back().relax(number_of_sweeps, epsilon, budget);
   }
-  sort_by_distortion(result);
+  sort_pairs(result);
   return result;
 }
 
@@ -148,6 +149,18 @@ Surface_pair_3 fitted_pair(Surface_pair_3 pair, const double smooth, const IsFit
       return relaxed;
   }
   return result;
+}
+
+// Moves the vertices of a fitted surface such that features are met. Facets may be turned over.
+inline Surface_pair_3 met_features(Surface_pair_3 pair, const Budget& budget)
+{
+  if(pair.features.points.empty())
+    return pair;
+  pair.holds_features = true;
+  pair.sharpen(budget);
+  for(const auto& [v, point] : pair.features.points)
+    pair.images[v] = point;
+  return pair;
 }
 
 // Images of the vertices of a surface on another one, after edges of the surface are split one after the other. New vertices come
@@ -193,36 +206,41 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
   for(const auto& [p, q] : landmarks)
     pair.goals.emplace(nearest_vertex(surface, p), to_vector(triangulated.nearest_point(coordinates(q)).point));
-  const std::vector<Feature_curve_3> curves = feature_curves_3(surface), curves_of_target = feature_curves_3(target);
-  const bool have_features = !curves.empty() && !curves_of_target.empty();
+  using Curves = std::array<std::vector<Feature_curve_3>, 2>; // of both surfaces; a coarse circle may turn sharply, or not
+  const std::array<Curves, 2> curves = { Curves{ feature_curves_3(surface, true), feature_curves_3(target, true) },
+                                         Curves{ feature_curves_3(surface, false), feature_curves_3(target, false) } };
+  const bool have_features = !curves[0][0].empty() && !curves[0][1].empty();
   std::vector<Surface_pair_3> ways = turned_pairs(pair, landmarks, have_features, smooth, budget);
   for(Surface_pair_3& turned : ways)
   {
     if(have_features)
-      turned.features = matched_features_3(curves, curves_of_target, target, turned.images);
-    turned.goals.insert(turned.features.begin(), turned.features.end());
+      turned.features = matched_features_3(curves[0][0], curves[0][1], target, turned.images);
+    if(have_features && !turned.features.are_complete)
+      if(auto others = matched_features_3(curves[1][0], curves[1][1], target, turned.images); others.are_complete)
+        turned.features = std::move(others);
     turned.relax_to_goals(smooth, budget);
   }
-  sort_by_distortion(ways);
+  sort_pairs(ways);
+  Surface_pair_3 best = { pair.surface, pair.target };
   for(const Surface_pair_3& turned : ways)
     if(Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
     {
-      if(Surface_pair_3 met = fitted; !fitted.features.empty())
-      {
-        for(const auto& [v, goal] : met.features)
-          met.images[v] = goal;
-        if(is_fitted(met))
-          fitted.images = met.images;
-      }
-      Split_fit_3 fit(fitted, mesh, triangulated);
-      if(std::isfinite(tolerance) && !fit.split(tolerance / size, budget))
-        return ERROR_FIT_TOLERANCE_NOT_REACHED;
-      for(const Vector_3& p : fit.images())
-        result.images.push_back(size * p);
-      result.splits = fit.splits();
-      return OK;
+      if(const Surface_pair_3 met = met_features(fitted, budget); is_fitted(met))
+        fitted = met;
+      if(best.images.empty() || fitted.holds_features)
+        best = std::move(fitted);
+      if(best.holds_features || !turned.features.are_complete)
+        break;
     }
-  return ERROR_BOUNDARY_NOT_FITTED;
+  if(best.images.empty())
+    return ERROR_BOUNDARY_NOT_FITTED;
+  Split_fit_3 fit(best, mesh, triangulated);
+  if(std::isfinite(tolerance) && !fit.split(tolerance / size, budget))
+    return ERROR_FIT_TOLERANCE_NOT_REACHED;
+  for(const Vector_3& p : fit.images())
+    result.images.push_back(size * p);
+  result.splits = fit.splits();
+  return OK;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

@@ -12,15 +12,20 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_relaxation_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_on_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
+#include <map>
 #include <set>
 #include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Points along sharp edges, from one corner to another one, or around a closed curve, whose first point is also the last one.
+// Vertices of a surface, each with the point that it is pulled to.
+using Goals_3 = std::map<int, Vector_3>;
+
+// Points along sharp edges, from one corner to another one, or around a closed curve, whose first point is also the last one. The
+// part of the length is the coordinate on the curve. It goes on beyond 0 and 1 around a closed curve.
 struct Feature_curve_3
 {
   std::vector<std::size_t> vertices;
@@ -29,12 +34,34 @@ struct Feature_curve_3
 
   bool is_closed() const { return vertices.front() == vertices.back(); }
 
+  // Returns the index of the vertex at the end of the edge at a part.
+  std::size_t end_of_edge_at(const double part) const
+  {
+    return static_cast<std::size_t>(std::upper_bound(parts.begin() + 1, parts.end() - 1, turned_back(part)) - parts.begin());
+  }
+
   Vector_3 point(const double part) const
   {
-    const auto next = std::upper_bound(parts.begin() + 1, parts.end() - 1, part);
-    const std::size_t i = static_cast<std::size_t>(next - parts.begin());
-    const double t = (part - parts[i - 1]) / (parts[i] - parts[i - 1]);
+    const std::size_t i = end_of_edge_at(part);
+    const double t = (turned_back(part) - parts[i - 1]) / (parts[i] - parts[i - 1]);
     return t <= 0 ? points[i - 1] : t >= 1 ? points[i] : points[i - 1] + t * (points[i] - points[i - 1]);
+  }
+
+  // Returns the largest distance of a vertex between two parts from the segment that joins their points, and the part at this
+  // vertex; the middle without a vertex.
+  std::pair<double, double> farthest_vertex(const double first, const double last) const
+  {
+    const Vector_3 p = point(first), d = point(last) - p;
+    std::pair<double, double> result(0, (first + last) / 2);
+    for(std::size_t i = 0; i < parts.size(); ++i)
+      for(const double part : { parts[i] - 1, parts[i], parts[i] + 1 })
+        if((part - first) * (part - last) < 0)
+        {
+          const double t = (points[i] - p).dot(d) / d.squaredNorm();
+          const double distance = (points[i] - p - (std::min)((std::max)(t, 0.), 1.) * d).norm();
+          result = (std::max)(result, { distance, part });
+        }
+    return result;
   }
 
   // Returns the part of the length up to the nearest vertex.
@@ -44,13 +71,131 @@ struct Feature_curve_3
     { return (q - p).squaredNorm() < (r - p).squaredNorm(); });
     return parts[static_cast<std::size_t>(nearest - points.begin())];
   }
+
+private:
+  double turned_back(const double part) const { return is_closed() ? part - std::floor(part) : part; }
 };
 
-// The curves of sharp edges of a surface, marked or found.
-inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& surface)
+// Where vertices and edges of a surface meet features of a target.
+struct Matched_features_3
+{
+  struct Part_of_curve { const Feature_curve_3* curve; double first, last; }; // along an edge from its smaller vertex
+
+  Goals_3 points;
+  std::map<std::array<std::size_t, 2>, Part_of_curve> edges;
+  bool are_complete = false; // whether all curves of both surfaces are matched
+
+  // Puts the largest vertex, by which an edge is split, on the curve of the edge, if any.
+  void split(const std::array<std::size_t, 2>& edge, const std::size_t vertex)
+  {
+    const auto found = edges.find(sorted(edge));
+    if(found == edges.end())
+      return;
+    const auto [ends, part] = *found;
+    const double middle = part.curve->farthest_vertex(part.first, part.last).second;
+    points[static_cast<int>(vertex)] = part.curve->point(middle);
+    edges[{ ends[0], vertex }] = { part.curve, part.first, middle };
+    edges[{ ends[1], vertex }] = { part.curve, part.last, middle };
+    edges.erase(found);
+  }
+};
+
+// Vertices of a surface at features of a target, and the regions of the target between these for the other vertices.
+class Held_features_3
+{
+public:
+  using Facets = std::vector<std::array<std::size_t, 3> >;
+
+  Held_features_3(const Facets& facets, const Matched_features_3& features, const Facets& facets_of_target,
+                  const Surface_on_sphere_3& target)
+  {
+    for(const auto& [v, point] : features.points)
+    {
+      m_positions.emplace(v, target.nearest_position(point));
+      m_positions.at(v).point = point;
+    }
+    if(features.edges.empty())
+      return;
+    std::set<std::array<std::size_t, 2> > borders, borders_of_target;
+    for(const auto& [edge, part] : features.edges)
+    {
+      borders.insert(edge);
+      const std::vector<std::size_t>& vertices = part.curve->vertices;
+      for(std::size_t i = 1; i < vertices.size(); ++i)
+        borders_of_target.insert(sorted(std::array<std::size_t, 2>{ vertices[i - 1], vertices[i] }));
+    }
+    const Regions regions(facets, borders), regions_of_target(facets_of_target, borders_of_target);
+    std::map<std::size_t, std::set<std::size_t> > partners;
+    for(const auto& [edge, part] : features.edges)
+    {
+      const std::size_t i = part.curve->end_of_edge_at((part.first + part.last) / 2);
+      std::array<std::size_t, 2> alike = { part.curve->vertices[i - 1], part.curve->vertices[i] };
+      if(part.last < part.first)
+        std::swap(alike[0], alike[1]);
+      partners[regions.left_of(edge[0], edge[1])].insert(regions_of_target.left_of(alike[0], alike[1]));
+      partners[regions.left_of(edge[1], edge[0])].insert(regions_of_target.left_of(alike[1], alike[0]));
+    }
+    std::map<std::size_t, Facets> facets_of_regions;
+    for(std::size_t f = 0; f < facets_of_target.size(); ++f)
+      facets_of_regions[regions_of_target.numbers[f]].push_back(facets_of_target[f]);
+    for(std::size_t f = 0; f < facets.size(); ++f)
+      if(const std::set<std::size_t>& found = partners[regions.numbers[f]]; found.size() == 1)
+      {
+        const std::size_t region = *found.begin();
+        const Surface_on_sphere_3& surface = m_regions.try_emplace(region, target, facets_of_regions[region]).first->second;
+        for(const std::size_t v : facets[f])
+          m_region_of_vertex[static_cast<int>(v)] = &surface;
+      }
+  }
+
+  // Returns the position at a feature, or null.
+  const Surface_position_3* position(const int v) const
+  {
+    const auto found = m_positions.find(v);
+    return found == m_positions.end() ? nullptr : &found->second;
+  }
+
+  // Returns the part of the target in which a vertex stays, or null.
+  const Surface_on_sphere_3* region(const int v) const
+  {
+    const auto found = m_region_of_vertex.find(v);
+    return found == m_region_of_vertex.end() ? nullptr : found->second;
+  }
+
+private:
+  // Facets between edges.
+  struct Regions
+  {
+    std::map<std::array<std::size_t, 2>, std::size_t> facets_of_halfedges; // on the left
+    std::vector<std::size_t> numbers;                                      // of the regions of facets
+
+    Regions(const Facets& facets, const std::set<std::array<std::size_t, 2> >& borders)
+    {
+      for(std::size_t f = 0; f < facets.size(); ++f)
+        for(std::size_t i = 0; i < 3; ++i)
+          facets_of_halfedges[{ facets[f][i], facets[f][(i + 1) % 3] }] = f;
+      Disjoint_sets sets(facets.size());
+      for(const auto& [halfedge, f] : facets_of_halfedges)
+        if(borders.count(sorted(halfedge)) == 0)
+          sets.unite(f, facets_of_halfedges.at({ halfedge[1], halfedge[0] }));
+      numbers = sets.numbers();
+    }
+
+    std::size_t left_of(const std::size_t v, const std::size_t w) const { return numbers[facets_of_halfedges.at({ v, w })]; }
+  };
+
+  std::map<int, Surface_position_3> m_positions;
+  std::map<std::size_t, Surface_on_sphere_3> m_regions;
+  std::map<int, const Surface_on_sphere_3*> m_region_of_vertex;
+};
+
+// The curves of sharp edges of a surface, marked or found. They end where other ones begin, and if asked for, also at sharp turns.
+inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& surface, const bool do_end_at_turns)
 {
   const auto point = [&](const std::size_t v) { return surface.points[v]; };
   const Feature_curves_3 features(sharp_edges_3(surface.facets, surface.sharp_edges, point), arrays_of(surface.points));
+  const auto is_corner = [&](const std::size_t v)
+  { return do_end_at_turns ? features.is_corner(v) : features.edges_of_vertices().at(v).size() != 2; };
   std::vector<bool> is_done(features.edges().size(), false);
   std::vector<Feature_curve_3> result;
   const auto follow = [&](const std::size_t first, std::size_t edge)
@@ -63,7 +208,7 @@ inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& s
       curve.vertices.push_back(v);
       curve.points.push_back(surface.points[v]);
       curve.parts.push_back(length);
-      if(curve.vertices.size() > 1 && (v == first || features.is_corner(v)))
+      if(curve.vertices.size() > 1 && (v == first || is_corner(v)))
         break;
       const auto& at = features.edges_of_vertices().at(v);
       edge = is_done[edge] ? (at[0] == edge ? at[1] : at[0]) : edge;
@@ -77,7 +222,7 @@ inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& s
   };
   for(const auto& [v, at] : features.edges_of_vertices())
     for(const std::size_t edge : at)
-      if(features.is_corner(v) && !is_done[edge])
+      if(is_corner(v) && !is_done[edge])
         follow(v, edge);
   for(std::size_t edge = 0; edge < is_done.size(); ++edge)
     if(!is_done[edge])
@@ -118,14 +263,15 @@ inline std::vector<std::size_t> corners_of(const std::vector<Feature_curve_3>& c
 
 // Returns the points of a target at which vertices of a surface meet its corners and curves. Corners are matched with the nearest
 // ones, where the surface has its images, and curves by their ends. Vertices keep their parts of the length of a curve.
-inline Goals_3 matched_features_3(const std::vector<Feature_curve_3>& curves, const std::vector<Feature_curve_3>& curves_of_target,
-                                  const Numbered_surface_3& target, const std::vector<Vector_3>& images)
+inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>& curves,
+                                             const std::vector<Feature_curve_3>& curves_of_target,
+                                             const Numbered_surface_3& target, const std::vector<Vector_3>& images)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity(), near = 0.25; // a guess; by the diagonal of the target
   const double bound = near * bounding_box(target.points).diagonal().norm();
   const std::vector<std::size_t> corners = corners_of(curves), corners_of_target = corners_of(curves_of_target);
   std::map<std::size_t, std::size_t> corner_of;
-  Goals_3 result;
+  Matched_features_3 result;
   for(const auto& [i, j] : nearest_pairs(corners.size(), corners_of_target.size(), [&](const std::size_t i, const std::size_t j)
   {
     const double distance = (images[corners[i]] - target.points[corners_of_target[j]]).norm();
@@ -133,7 +279,7 @@ inline Goals_3 matched_features_3(const std::vector<Feature_curve_3>& curves, co
   }))
   {
     corner_of[corners[i]] = corners_of_target[j];
-    result[static_cast<int>(corners[i])] = target.points[corners_of_target[j]];
+    result.points[static_cast<int>(corners[i])] = target.points[corners_of_target[j]];
   }
   const auto ends_at = [&](const std::size_t v, const std::size_t w)
   {
@@ -146,7 +292,7 @@ inline Goals_3 matched_features_3(const std::vector<Feature_curve_3>& curves, co
   { return ends_at(c.vertices.front(), d.vertices.back()) && ends_at(c.vertices.back(), d.vertices.front()); };
   const auto image_at = [&](const Feature_curve_3& c, const double part)
   { return images[c.vertices[(c.vertices.size() - 1) * static_cast<std::size_t>(4 * part) / 4]]; };
-  for(const auto& [i, j] : nearest_pairs(curves.size(), curves_of_target.size(), [&](const std::size_t i, const std::size_t j)
+  const auto pairs_of_curves = nearest_pairs(curves.size(), curves_of_target.size(), [&](const std::size_t i, const std::size_t j)
   {
     const Feature_curve_3 &c = curves[i], &d = curves_of_target[j];
     if(c.is_closed() != d.is_closed() || (!c.is_closed() && !is_alike(c, d) && !is_reversed(c, d)))
@@ -155,17 +301,22 @@ inline Goals_3 matched_features_3(const std::vector<Feature_curve_3>& curves, co
     for(const double part : { 0.25, 0.5, 0.75 })
       distance += (image_at(c, part) - d.point(d.nearest_part(image_at(c, part)))).norm() / 3;
     return distance < bound ? distance : infinity;
-  }))
+  });
+  result.are_complete = pairs_of_curves.size() == (std::max)(curves.size(), curves_of_target.size());
+  for(const auto& [i, j] : pairs_of_curves)
   {
     const Feature_curve_3 &c = curves[i], &d = curves_of_target[j];
     const double begin = c.is_closed() ? d.nearest_part(image_at(c, 0)) : is_alike(c, d) ? 0 : 1;
     const double quarter = d.nearest_part(image_at(c, 0.25)) - begin;
     const double sign = c.is_closed() ? (quarter - std::floor(quarter) < 0.5 ? 1 : -1) : is_alike(c, d) ? 1 : -1;
+    const auto part = [&](const std::size_t k) { return begin + sign * c.parts[k]; };
     for(std::size_t k = 0; k < c.vertices.size(); ++k)
-    {
-      const double part = begin + sign * c.parts[k];
-      result.emplace(static_cast<int>(c.vertices[k]), d.point(c.is_closed() ? part - std::floor(part) : part));
-    }
+      result.points.emplace(static_cast<int>(c.vertices[k]), d.point(part(k)));
+    for(std::size_t k = 1; k < c.vertices.size(); ++k)
+      if(const std::size_t v = c.vertices[k - 1], w = c.vertices[k]; v < w)
+        result.edges[{ v, w }] = { &d, part(k - 1), part(k) };
+      else
+        result.edges[{ w, v }] = { &d, part(k), part(k - 1) };
   }
   return result;
 }
