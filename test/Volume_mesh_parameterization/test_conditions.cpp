@@ -297,6 +297,28 @@ TEST_CASE("A body of rubber between two planes has its own size as reference, an
   }
 }
 
+TEST_CASE("Simple shear leaves two sides without forces, and has a force by closed form on the upper side")
+{
+  Problem problem = box(3);
+  problem.energy = Neo_Hookean_energy_3();
+  problem.use_volume_weights = true;
+  const auto sheared = [](const Vector3d& p) { return Vector3d(p[0] + 0.5 * p[1], p[1], p[2]); };
+  problem.set([](const Vector3d& p) { return p[0] == 0 || p[0] == 3 || p[1] == 0 || p[1] == 3; }, Condition::at_target(), sheared);
+  const VMP::Parameterization_result result = problem.run();
+  CAPTURE(result.message);
+  REQUIRE(result.status == VMP::OK);
+  double force = 0;
+  const auto forces = VMP::measure_forces(problem.soup.points, problem.soup.cells, problem.images, Neo_Hookean_energy_3());
+  for(std::size_t v = 0; v < forces.size(); ++v)
+  {
+    const Vector3d p = vector(problem.soup.points[v]);
+    CHECK((vector(problem.images[v]) - sheared(p)).norm() < 1e-6);
+    force += p[1] == 3 ? forces[v][0] : 0;
+    CHECK(std::abs(forces[v][2]) < 1e-5);
+  }
+  CHECK(force == Approx(9 * Neo_Hookean_energy_3::mu * 0.5).epsilon(1e-6));
+}
+
 TEST_CASE("Of all scales that an energy leaves open, that of the source is taken")
 {
   Problem problem = box(3);
