@@ -314,6 +314,8 @@ inline const std::vector<std::string> report_keys = {
   "unavoidable_angle_distortion", "missed_angle_distortion",
   "coinciding_points", "merged_points", "turned_cells", "tangled_cells", "separated_vertices", "targets_inside", "missed_targets",
   "free_targets", "conditions", "boundary_crosses_itself",
+  "quality_of_source", "minimum_dihedral_angle", "maximum_dihedral_angle", "minimum_scaled_jacobian", "maximum_aspect_ratio",
+  "quality", "minimum_dihedral_angle", "maximum_dihedral_angle", "minimum_scaled_jacobian", "maximum_aspect_ratio",
   "seconds_reading", "seconds_boundary", "seconds_hexahedra",
   "steps", "energy", "inverted_cells", "seconds", "peak_memory_bytes"};
 

@@ -46,6 +46,8 @@ TEST_CASE("Vertices of the boundary are free, in planes and on lines")
   folder.write("conditions.txt", "# depths\n1 z=0\n4 z=1.5\n");
   REQUIRE(folder.run("source.mesh --conditions conditions.txt -o map.mesh") == 0);
   CHECK(folder.text("stdout").find("0 at targets, 32 in planes, 0 on lines, 24 free") != std::string::npos);
+  CHECK(folder.text("stdout").find("cells before the map: dihedral angles 45 to 90 degrees, least sca") != std::string::npos);
+  CHECK(folder.text("stdout").find("cells after the map: dihedral angles ") != std::string::npos);
   const std::vector<Point> depths = folder.soup("map.mesh").points;
   for(std::size_t v = 0; v < depths.size(); ++v)
     if(const double z = source.points[v][2]; z == 0 || z == 3)

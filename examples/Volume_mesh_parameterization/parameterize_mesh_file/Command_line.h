@@ -22,7 +22,7 @@ struct Options
   std::string source, target, domain, polycube_axes, features, regions, landmarks, others, conditions, inside, initial;
   std::string reference_scale; // a number or found; empty by default
   std::string tetrahedra, output, refined_source, report, energy, solver, boundary, refinement;
-  std::vector<std::string> hexahedra;
+  std::vector<std::string> hexahedra, evaluated, evaluated_inverse;
   bool are_staircases = false;
   int number_of_threads = 1, number_of_iterations = 0;
   double cell_size = 0, joining_distance = 0, tolerance = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
@@ -154,6 +154,12 @@ inline Command_line command_line(Options& options)
      "hexahedra (*.mesh, *.vtu, *.msh or *.inp). They fill a box or polycube, and are pulled back to the source. SPACING is their "
      "size there: a cube has sides of length 1, a polycube about the lengths of the source")
     ("staircases", po::bool_switch(&options.are_staircases), "do not let hexahedra follow the interfaces between subdomains")
+    ("evaluate", po::value(&options.evaluated)->multitoken()->value_name("POINTS FILE"),
+     "points of the source that the map carries: POINTS has three coordinates in each line. FILE (*.csv) gets the point x, y, z, "
+     "its image u, v, w, the cell with its reference, and the data of the mesh there. A point outside is moved to the nearest "
+     "point of the source, by the distance in FILE")
+    ("evaluate-inverse", po::value(&options.evaluated_inverse)->multitoken()->value_name("POINTS FILE"),
+     "likewise, with points of the image")
     ("report", po::value(&options.report)->value_name("FILE"), "a JSON file with counts, times and distortions");
 
   po::options_description source("Source", width);
@@ -285,8 +291,9 @@ inline bool parse(int argc, char* argv[], const Command_line& line, Options& opt
                             &options.initial })
     if(*name == "-")
       *name = "/dev/stdin";
-  if(!options.hexahedra.empty() && options.hexahedra.back() == "-")
-    options.hexahedra.back() = "/dev/stdout";
+  for(std::vector<std::string>* words : { &options.hexahedra, &options.evaluated, &options.evaluated_inverse })
+    if(!words->empty() && words->back() == "-")
+      words->back() = "/dev/stdout";
   for(std::string* name : { &options.tetrahedra, &options.output, &options.refined_source, &options.report })
     if(*name == "-")
       *name = "/dev/stdout";

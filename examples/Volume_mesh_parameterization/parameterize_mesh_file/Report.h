@@ -11,6 +11,7 @@
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_parameters.h>
 #include <CGAL/Volume_mesh_parameterization/Parameterization_result.h>
+#include <CGAL/Volume_mesh_parameterization/measure_distortion.h>
 #include <CGAL/Volume_mesh_parameterization/measure_surface_fit.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -37,6 +38,7 @@ struct Outcome
   std::size_t number_of_targets_inside = 0, number_of_missed_targets = 0, number_of_free_targets = 0;
   // vertices of the boundary: free, in planes, on lines, at targets, on surfaces, on curves
   std::array<std::size_t, 6> numbers_of_conditions = {};
+  VMP::Cell_quality_3 quality_of_source = {};
   std::optional<PM::Polycube_result> polycube = {};
   std::optional<VMP::Surface_fit_3> surface_fit = {};
   // if hexahedra were to be made, and there was a map to make them of
@@ -249,6 +251,20 @@ inline void print(const VMP::Surface_fit_3& fit)
     std::cout << "landmarks: at most " << fit.largest_distance_of_landmarks << " away from their points\n";
 }
 
+inline JSON_object json(const VMP::Cell_quality_3& quality)
+{
+  return JSON_object().add("minimum_dihedral_angle", quality.minimum_dihedral_angle)
+                      .add("maximum_dihedral_angle", quality.maximum_dihedral_angle)
+                      .add("minimum_scaled_jacobian", quality.minimum_scaled_jacobian)
+                      .add("maximum_aspect_ratio", quality.maximum_aspect_ratio);
+}
+
+inline void print(const char* const when, const VMP::Cell_quality_3& quality)
+{
+  std::cout << "cells " << when << " the map: dihedral angles " << quality.minimum_dihedral_angle << " to "
+            << quality.maximum_dihedral_angle << " degrees, least scaled Jacobian " << quality.minimum_scaled_jacobian << "\n";
+}
+
 // Prints the result of a map.
 inline void print(const Options& options, const Outcome& outcome)
 {
@@ -269,6 +285,8 @@ inline void print(const Options& options, const Outcome& outcome)
     if(on_surfaces + on_curves > 0)
       std::cout << ", " << on_surfaces << " on surfaces, " << on_curves << " on curves";
     std::cout << "\n";
+    print("before", outcome.quality_of_source);
+    print("after", outcome.result.quality);
   }
   if(outcome.result.boundary_crosses_itself)
     std::cout << "the image of the free boundary intersects itself\n";
@@ -303,6 +321,8 @@ inline void write_report(const Options& options, const Outcome& outcome, Progres
           .add("free_targets", outcome.number_of_free_targets)
           .add("conditions", std::vector<double>(outcome.numbers_of_conditions.begin(), outcome.numbers_of_conditions.end()))
           .add("boundary_crosses_itself", result.boundary_crosses_itself)
+          .add("quality_of_source", json(outcome.quality_of_source))
+          .add("quality", json(result.quality))
           .add("seconds_reading", outcome.seconds_reading)
           .add("seconds_boundary", outcome.seconds_boundary)
           .add("seconds_hexahedra", outcome.seconds_hexahedra);

@@ -3,6 +3,7 @@
 #define CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_CHECK_OPTIONS_H
 
 #include "Command_line.h"
+#include "Evaluated_points.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
 #include "Target_points.h"
@@ -37,13 +38,16 @@ inline std::vector<std::string> without_empty(std::vector<std::string> names)
 inline std::vector<std::string> inputs(const Options& options)
 {
   return without_empty({ options.source, options.target, options.features, options.landmarks, options.conditions,
-                         options.initial, is_surface_domain(options.domain) ? options.domain : "" });
+                         options.initial, is_surface_domain(options.domain) ? options.domain : "",
+                         Evaluated_points(options.evaluated, false).input(),
+                         Evaluated_points(options.evaluated_inverse, true).input() });
 }
 
 inline std::vector<std::string> outputs(const Options& options)
 {
   return without_empty({ options.tetrahedra, options.output, options.refined_source, options.report,
-                         Hexahedra_file(options.hexahedra).name() });
+                         Hexahedra_file(options.hexahedra).name(), Evaluated_points(options.evaluated, false).name(),
+                         Evaluated_points(options.evaluated_inverse, true).name() });
 }
 
 inline bool writes_to_standard_output(const Options& options)

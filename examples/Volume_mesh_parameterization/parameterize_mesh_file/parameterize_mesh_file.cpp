@@ -1,5 +1,6 @@
 // Maps the tetrahedral mesh of a file onto the boundary that another file prescribes, a ball, a box, a polycube, or its own.
 #include "Command_line.h"
+#include "Evaluated_points.h"
 #include "Hexahedra_file.h"
 #include "Named_choices.h"
 #include "Progress_line.h"
@@ -90,8 +91,21 @@ void make_hexahedra(const Options& options, const VMP::Tetrahedron_soup_3& mesh,
   result.message = of_map + (hexahedra.has_valid_mesh || is_interrupted ? "" : "There are no hexahedra: ") + of_hexahedra;
 }
 
+// Points with the table that they are written to.
+using Tables_of_points = std::vector<std::pair<Evaluated_points, Points> >;
+
+Tables_of_points read_points_to_evaluate(const Options& options)
+{
+  Tables_of_points result;
+  for(const bool is_inverse : { false, true })
+    if(const Evaluated_points table(is_inverse ? options.evaluated_inverse : options.evaluated, is_inverse); !table.name().empty())
+      result.emplace_back(table, table.read());
+  return result;
+}
+
 // Writes the files of a map. The outcome names the file that cannot be written, and those that have been.
-void write_files(const Options& options, const Source& source, const Points& uvw, Progress_line& progress, Outcome& outcome)
+void write_files(const Options& options, const Source& source, const Points& uvw, const Tables_of_points& tables,
+                 Progress_line& progress, Outcome& outcome)
 {
   const auto fail = [&](const Exit_code exit_code, const char* status_code, const std::string& sentence)
   {
@@ -112,6 +126,11 @@ void write_files(const Options& options, const Source& source, const Points& uvw
     {
       write_mesh(options.refined_source, source.soup, progress);
       outcome.files.push_back(options.refined_source);
+    }
+    for(const auto& [table, points] : tables)
+    {
+      table.write(points, source.soup, uvw, progress);
+      outcome.files.push_back(table.name());
     }
     if(!options.hexahedra.empty())
       make_hexahedra(options, source.soup, uvw, progress, outcome);
@@ -177,6 +196,7 @@ Outcome run(const Options& options, Progress_line& progress)
   if(!options.conditions.empty() && !read_conditions(source, options, progress, target))
     throw Interruption();
   Points initial = options.do_improve ? mesh.points : options.initial.empty() ? Points() : read_points(options.initial);
+  const Tables_of_points tables = read_points_to_evaluate(options);
   const Landmarks landmarks = landmarks_of_file(options.landmarks, source.in_file(), progress);
   const double seconds_reading = progress.seconds();
   Mapped_mesh mapped = mapped_to_targets({ std::move(mesh), std::move(target), std::move(initial) }, options, landmarks, progress);
@@ -196,6 +216,7 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.result.message = options.source + ": " + result.message;
   if(!result.has_valid_map)
     return outcome;
+  outcome.quality_of_source = VMP::measure_quality(mesh.points, mesh.cells);
   outcome.surface_fit = mapped.surface_fit;
   if(!mapped.surface.facets.empty() && !outcome.surface_fit)
     outcome.surface_fit = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets,
@@ -209,7 +230,7 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.number_of_free_targets = number_of_free_targets(target, mapped.uvw);
   source.complete_images(mapped.uvw);
   progress.show("writing"); // also if the computation was interrupted
-  write_files(options, source, mapped.uvw, progress, outcome);
+  write_files(options, source, mapped.uvw, tables, progress, outcome);
   return outcome;
 }
 
