@@ -48,6 +48,10 @@ struct Hexahedron_soup_3
   std::vector<std::array<std::size_t, 2> > interface_cells = {};
   /// the reference of each: that of the facet of the interface nearest to its center, 0 if this has none
   std::vector<int> interface_references = {};
+  /// the edges along curves that are kept (see `Hexahedral_mesh_features`)
+  std::vector<std::array<std::size_t, 2> > edges = {};
+  std::vector<int> edge_references = {};      ///< the reference of the curve of each: that of the marked edges of the body
+  std::vector<std::size_t> corners = {};      ///< the vertices at corners that are kept
 };
 
 } // namespace CGAL::Polycube_meshing_3

@@ -1,7 +1,10 @@
 // Ridges, corners, curves and patches of bodies that hexahedra keep.
 #include "hexahedra_of_bodies.h"
 
+#include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Body_complex_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Sheets_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <algorithm>
@@ -11,6 +14,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -163,6 +167,79 @@ TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those 
   CHECK(features.number_of_patches_kept == 7);
   CHECK(result.minimum_scaled_jacobian > 0.1);
   CHECK(enclosed_volume(mesh) == Approx(36 * 6 - 36 * 6 * 0.08 * 2).epsilon(1e-9)); // the mean of |x - y| is 2
+
+  CHECK(mesh.corners.size() == 8);
+  double length = 0;
+  for(const auto& [v, w] : mesh.edges)
+    length += (vector(mesh.points[v]) - vector(mesh.points[w])).norm();
+  const double low = 6 * (1 - 0.08 * 6);
+  CHECK(length == Approx(4 * 6 + 2 * 6 + 2 * low + 4 * std::hypot(6, 6 - low) + std::sqrt(72.)));
+  mesh.edge_references.assign(mesh.edges.size(), 7);
+  std::ostringstream inp, named, medit;
+  PM::IO::write_INP(inp, mesh);
+  CHECK(inp.str().find("*NSET, NSET=CURVE_7\n") != std::string::npos);
+  CHECK(inp.str().find("*NSET, NSET=CORNERS\n") != std::string::npos);
+  PM::IO::write_INP(named, mesh, "C3D8", { { { 1, 7 }, "rim" }, { { 2, 7 }, "side" } });
+  CHECK(named.str().find("*NSET, NSET=rim\n") != std::string::npos);
+  CHECK(named.str().find("*NSET, NSET=side\n") == std::string::npos);
+  PM::IO::write_MEDIT(medit, mesh);
+  CHECK(medit.str().find("\nEdges\n" + std::to_string(mesh.edges.size()) + "\n") != std::string::npos);
+  CHECK(medit.str().find("\nCorners\n8\n") != std::string::npos);
+  mesh.corners.push_back(mesh.points.size());
+  CHECK_THROWS_AS(PM::IO::write_MEDIT(medit, mesh), VMP::Input_error);
+}
+
+TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
+{
+  Hexahedron_soup_3 soup;
+  REQUIRE(Body(6, 0, [](const Vector3d& p) { return p; }).mesh(2, soup).status == VMP::OK);
+  const Hexahedra_3 mesh = { VMP::internal::vectors_of(soup.points), {}, soup.cells, soup.cell_blocks, soup.cell_indices,
+                             soup.cell_references, soup.facets, soup.facet_cells, soup.polycube_faces };
+  REQUIRE(mesh.cells.size() == 27);
+  const PM::internal::Sheets_3 sheets(mesh);
+  const auto vertex_at = [&](const VMP::internal::Vector_3& p)
+  {
+    return static_cast<std::size_t>(std::find_if(mesh.points.begin(), mesh.points.end(), [&](const VMP::internal::Vector_3& q)
+                                                 { return (q - p).norm() < 1e-6; }) - mesh.points.begin());
+  };
+  const std::size_t v = vertex_at({ 2, 2, 0 });
+  const std::size_t along_x = sheets.sheet({ v, vertex_at({ 4, 2, 0 }) }), along_y = sheets.sheet({ vertex_at({ 2, 4, 0 }), v });
+  CHECK(along_x != along_y);
+  CHECK(along_x == sheets.sheet({ vertex_at({ 2, 6, 6 }), vertex_at({ 4, 6, 6 }) }));
+  CHECK(along_x != sheets.sheet({ v, vertex_at({ 0, 2, 0 }) }));
+  CHECK(sheets.size(along_x) == 9);
+
+  const Hexahedra_3 cut = sheets.cut({ along_x, along_y });
+  CHECK(cut.cells.size() == 4 * 4 * 3);
+  CHECK(cut.points.size() == 5 * 5 * 4);
+  CHECK(cut.facets.size() == 2 * (4 * 4 + 4 * 3 + 4 * 3));
+  for(std::size_t f = 0; f < cut.facets.size(); ++f)
+    CHECK(PM::internal::side_of_facet(cut, f) < 6);
+  CHECK(PM::internal::boundary_quadrangles_3(cut).size() == cut.facets.size());
+  std::set<std::array<std::size_t, 3> > indices(cut.cell_indices.begin(), cut.cell_indices.end());
+  CHECK(indices.size() == cut.cells.size());
+  CHECK(*indices.rbegin() == std::array<std::size_t, 3>{ 3, 3, 2 });
+  for(std::size_t c = 0; c < cut.cells.size(); ++c) // the middle sheets are cut
+  {
+    const auto& [i, j, k] = cut.cell_indices[c];
+    constexpr double first[] = { 0, 2, 3, 4 };
+    CHECK((cut.points[cut.cells[c][0]] - VMP::internal::Vector_3(first[i], first[j], 2. * static_cast<double>(k))).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("Bends of a curve keep it within a distance")
+{
+  std::vector<VMP::internal::Vector_3> quarter, straight;
+  for(int i = 0; i <= 100; ++i)
+  {
+    quarter.push_back({ std::cos(CGAL_PI * i / 200), std::sin(CGAL_PI * i / 200), 0 });
+    straight.push_back({ i / 10., 0, 1 });
+  }
+  CHECK(PM::internal::Polyline_3(straight).bends(1e-9).empty());
+  CHECK(PM::internal::Polyline_3(quarter).bends(0.06).size() == 2); // the sagitta of 30 degrees is 0.034, that of 45 is 0.076
+  CHECK(PM::internal::Polyline_3(quarter).bends(0.3).empty());
+  const std::vector<double> bends = PM::internal::Polyline_3({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 3, 1, 0 } }).bends(0.1);
+  CHECK(bends == std::vector<double>{ 3 });
 }
 
 TEST_CASE("The message and the result name a feature without room in the hexahedra")

@@ -123,6 +123,17 @@ inline std::map<std::string, std::vector<Quadrangle_of_hexahedron> > INP_surface
   return result;
 }
 
+// Returns the vertices on each curve.
+inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahedron_soup_3& mesh)
+{
+  std::map<std::string, std::vector<std::size_t> > result;
+  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+    for(const std::size_t v : mesh.edges[e])
+      if(mesh.edge_references[e] != 0)
+        result["CURVE_" + std::to_string(mesh.edge_references[e])].push_back(v);
+  return result;
+}
+
 // Adds a set for each name of groups of a dimension. It stands in the place of a set with the same name.
 template <typename Item>
 void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
@@ -147,7 +158,7 @@ namespace IO {
 /// writes hexahedra and the quadrangles of their boundary in the ASCII \ref IOStreamMedit "MEDIT (.mesh) file format". The
 /// references of hexahedra are their subdomains, those of quadrangles the ones of the body if there are any, else their faces.
 /// Quadrangles of interfaces follow, with their references; those without one have a number for each pair of subdomains, in
-/// ascending order, that follow all others.
+/// ascending order, that follow all others. Edges along curves have the references of these, and vertices at corners are corners.
 ///
 /// \param os the stream
 /// \param mesh the hexahedra
@@ -169,6 +180,10 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
   quadrangles.insert(quadrangles.end(), mesh.interface_facets.begin(), mesh.interface_facets.end());
   references.insert(references.end(), at_interfaces.begin(), at_interfaces.end());
   internal::write_MEDIT_cells(writer, "Quadrilaterals", quadrangles, references);
+  if(!mesh.edges.empty())
+    internal::write_MEDIT_cells(writer, "Edges", mesh.edges, mesh.edge_references);
+  if(!mesh.corners.empty())
+    internal::write_MEDIT_corners(writer, mesh.corners);
   writer << "End\n";
   return writer.finish();
 }
@@ -291,10 +306,11 @@ inline std::map<std::pair<int, int>, std::string> names_in_INP(const std::map<st
 /// element sets are `EALL` and `SUBDOMAIN_0`, `SUBDOMAIN_1`, ... Each reference of quadrangles but 0 has a set of its nodes,
 /// `SURFACE_1`, ..., for supports. A surface of the same name, of faces of elements, is for pressures. The faces of the polycube
 /// likewise have `FACE_1`, `FACE_2`, ... An interface of two subdomains, such as 1 and 2, has two surfaces. `INTERFACE_1_2`
-/// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The node set
-/// `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a reference of
-/// quadrangles has a name, there is also a set of the name that `names_in_INP()` returns. It stands in the place of one of these
-/// sets of the same name.
+/// consists of faces of elements in subdomain 1, and `INTERFACE_2_1` of the same faces of elements in subdomain 2. The curves that
+/// are kept have the node sets `CURVE_1`, `CURVE_2`, ..., by the references of edges but 0, and `CORNERS` has all corners that are
+/// kept. The node set `NALL` has all nodes. A model includes it by `*INCLUDE, INPUT=...`. If the group of a subdomain or of a
+/// reference of quadrangles or edges has a name, there is also a set of the name that `names_in_INP()` returns. It stands in the
+/// place of one of these sets of the same name.
 ///
 /// These programs read at most 20 characters of a number. Coordinates have up to 17 digits, which restore them. If a number has
 /// no room for 17 digits, as with a negative exponent, it has at least 13.
@@ -342,6 +358,12 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
   internal::add_groups(names, 2, "SURFACE_", surfaces);
   for(const auto& [name, quadrangles] : surfaces)
     internal::write_INP_surface(writer, mesh, name, quadrangles);
+  auto curves = internal::INP_curves(mesh);
+  internal::add_groups(names, 1, "CURVE_", curves);
+  for(const auto& [name, vertices] : curves)
+    internal::write_INP_set(writer, "*NSET, NSET=" + name, std::set<std::size_t>(vertices.begin(), vertices.end()));
+  if(!mesh.corners.empty())
+    internal::write_INP_set(writer, "*NSET, NSET=CORNERS", mesh.corners);
   return writer.finish();
 }
 

@@ -228,6 +228,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   set_images(body, mesh);
   found.mesh = hexahedron_soup_of(mesh);
   set_facet_references(body, interfaces, mesh, found.mesh);
+  set_features(Body_complex_3(body.soup, body.points), mesh, best.edge, found.mesh);
   const Largest_distance_3 farthest = boundary_distance_3(body.surface, mesh);
   result.boundary_distance = farthest.distance;
   result.patches = patches_of(mesh, found.mesh.facet_references);

@@ -65,6 +65,13 @@ inline void check_hexahedra(const Hexahedron_soup_3& mesh)
   const std::size_t number_of_facets = mesh.interface_facets.size();
   if(mesh.interface_cells.size() != number_of_facets || mesh.interface_references.size() != number_of_facets)
     throw Input_error("there is not one entry of each array per quadrangle of an interface");
+  if(mesh.edges.size() != mesh.edge_references.size())
+    throw Input_error("there is not one reference per edge");
+  for(std::size_t e = 0; e < mesh.edges.size(); ++e)
+    check_simplex(mesh.edges[e], mesh.points.size(), "edge ", e);
+  for(const std::size_t v : mesh.corners)
+    if(v >= mesh.points.size())
+      throw Input_error(sentence("the corner ", v, " is no point"));
   for(std::size_t c = 0; c < n; ++c)
     check_simplex(mesh.cells[c], mesh.points.size(), "hexahedron ", c);
   for(std::size_t f = 0; f < m; ++f)

@@ -43,6 +43,19 @@ public:
     return m_points[next - 1] + std::clamp(part, 0., 1.) * (m_points[next] - m_points[next - 1]);
   }
 
+  // Returns the lengths of inner points which make, with both ends, a polyline within a distance of all points.
+  std::vector<double> bends(const double distance) const
+  {
+    std::vector<double> result;
+    for(std::size_t first = 0, last = 1; last + 1 < m_points.size(); ++last)
+      if(deviation(first, last + 1) > distance)
+      {
+        result.push_back(m_lengths[last]);
+        first = last;
+      }
+    return result;
+  }
+
   // Returns the distance of a point, and the length at which the curve is nearest to it.
   std::pair<double, double> nearest(const Vector_3& p) const
   {
@@ -57,6 +70,16 @@ public:
   }
 
 private:
+  // Returns the largest distance of the points between two others from the segment between these.
+  double deviation(const std::size_t first, const std::size_t last) const
+  {
+    const Polyline_3 chord({ m_points[first], m_points[last] });
+    double result = 0;
+    for(std::size_t i = first + 1; i < last; ++i)
+      result = (std::max)(result, chord.nearest(m_points[i]).first);
+    return result;
+  }
+
   std::vector<Vector_3> m_points;
   std::vector<double> m_lengths;
 };
@@ -65,6 +88,7 @@ private:
 struct Arc_3
 {
   std::size_t curve;
+  int reference; // of the edges of the curve
   std::vector<std::size_t> vertices;
   std::array<std::size_t, 2> patches;
 };
@@ -206,7 +230,7 @@ private:
         vertices.push_back(around[0] == vertices[vertices.size() - 2] ? around[1] : around[0]);
         used.insert(sorted(Edge{ vertices[vertices.size() - 2], vertices.back() }));
       }
-      add_curve(vertices);
+      add_curve(vertices, reference(first, second));
     };
     const auto follow_all = [&](const std::size_t v, const std::vector<std::size_t>& around)
     {
@@ -225,7 +249,7 @@ private:
   }
 
   // Adds a curve; cuts a closed one into three arcs of like lengths.
-  void add_curve(const std::vector<std::size_t>& vertices)
+  void add_curve(const std::vector<std::size_t>& vertices, const int reference)
   {
     const std::size_t n = vertices.size() - 1, number_of_arcs = vertices.front() == vertices.back() && n >= 3 ? 3 : 1;
     std::vector<Vector_3> points;
@@ -233,7 +257,7 @@ private:
       points.push_back(m_points[v]);
     const Polyline_3 line(points);
     double length = 0;
-    Arc_3 arc = { m_number_of_curves, { vertices[0] }, {} };
+    Arc_3 arc = { m_number_of_curves, reference, { vertices[0] }, {} };
     for(std::size_t i = 1, part = 1; i <= n; ++i)
     {
       arc.vertices.push_back(vertices[i]);

@@ -18,6 +18,9 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
+// Distance from a curve, in edges, that its bends keep: a guess.
+constexpr double distance_of_bends = 0.06;
+
 // Hexahedra with the places of an embedding: each quadrangle of the boundary has a region, and vertices are at a corner, on an
 // arc, in a region or inside. Starts with hexahedra that have one layer along the boundary.
 class Placed_features_3
@@ -31,9 +34,10 @@ public:
     add_sheets();
     collect_locations();
     make_surfaces();
+    const std::vector<Vector_3> start = m_mesh.points;
     move_to_arcs();
     move_into_regions();
-    move_inside();
+    move_inside(start);
   }
 
   Placed_hexahedra_3 result() const
@@ -210,41 +214,95 @@ private:
     }
   }
 
-  // Puts the vertices of paths near the nearest points of their arcs, in order and with a distance: an isotonic regression.
+  // Puts the vertices of paths on their arcs: some at bends, where they stay, and the others near the nearest points, in order.
   void move_to_arcs()
   {
-    constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean
     for(std::size_t a = 0; a < m_paths.size(); ++a)
     {
       const std::vector<std::size_t>& path = m_paths[a];
       const Polyline_3& line = m_complex.line(a);
       if(path.size() < 3)
         continue;
-      const double step = line.length() / static_cast<double>(path.size() - 1), gap = least_distance * step;
-      std::vector<std::pair<double, std::size_t> > blocks; // mean and number of lengths
-      for(std::size_t i = 1; i + 1 < path.size(); ++i)
+      std::vector<double> lengths;
+      for(const std::size_t v : path)
+        lengths.push_back(line.nearest(m_mesh.points[v]).second);
+      lengths.front() = 0;
+      lengths.back() = line.length();
+      spread(0, path.size() - 1, lengths);
+      std::size_t first = 0;
+      const std::vector<double> bends = bends_for(path.size() - 1, line);
+      const std::vector<std::size_t> at_bends = vertices_at(bends, lengths);
+      for(std::size_t k = 0; k < bends.size(); ++k)
       {
-        const double k = static_cast<double>(i);
-        blocks.emplace_back((1 - part_of_equal_distances) * line.nearest(m_mesh.points[path[i]]).second
-                            + part_of_equal_distances * k * step - k * gap, 1);
-        while(blocks.size() > 1 && blocks[blocks.size() - 2].first > blocks.back().first)
-        {
-          const auto [mean, number] = blocks.back();
-          blocks.pop_back();
-          auto& [other_mean, other_number] = blocks.back();
-          other_mean = (other_mean * static_cast<double>(other_number) + mean * static_cast<double>(number))
-                       / static_cast<double>(other_number + number);
-          other_number += number;
-        }
+        lengths[at_bends[k]] = bends[k];
+        m_locations[path[at_bends[k]]].freedom = Freedom_3::NONE;
+        spread(first, at_bends[k], lengths);
+        first = at_bends[k];
       }
-      std::size_t i = 1;
-      for(const auto& [mean, number] : blocks)
-        for(std::size_t k = 0; k < number; ++k, ++i)
-          m_mesh.points[path[i]] = line.point(std::clamp(mean, 0., line.length() - gap * static_cast<double>(path.size() - 1))
-                                              + gap * static_cast<double>(i));
+      spread(first, path.size() - 1, lengths);
+      for(std::size_t i = 1; i + 1 < path.size(); ++i)
+        m_mesh.points[path[i]] = line.point(lengths[i]);
     }
     for(const auto& [v, c] : m_corners)
       m_mesh.points[v] = m_complex.points()[m_complex.corners()[c].vertex];
+  }
+
+  // Returns the bends of a line for a path of so many edges; fewer of them, if it has not enough.
+  std::vector<double> bends_for(const std::size_t number_of_edges, const Polyline_3& line) const
+  {
+    constexpr double growth = 1.2; // a guess
+    double distance = distance_of_bends * m_edge;
+    std::vector<double> result = line.bends(distance);
+    while(result.size() >= number_of_edges)
+      result = line.bends(distance *= growth);
+    return result;
+  }
+
+  // Chooses a vertex of a path for each bend, in order, with the least sum of squared distances.
+  static std::vector<std::size_t> vertices_at(const std::vector<double>& bends, const std::vector<double>& lengths)
+  {
+    std::vector<std::vector<double> > least( // for the first bends among the first vertices
+      bends.size() + 1, std::vector<double>(lengths.size() - 1, (std::numeric_limits<double>::infinity)()));
+    least[0].assign(lengths.size() - 1, 0);
+    for(std::size_t k = 1; k <= bends.size(); ++k)
+      for(std::size_t i = 1; i + 1 < lengths.size(); ++i)
+        least[k][i] = (std::min)(least[k][i - 1], least[k - 1][i - 1] + std::pow(lengths[i] - bends[k - 1], 2));
+    std::vector<std::size_t> result(bends.size());
+    for(std::size_t k = bends.size(), i = lengths.size() - 2; k > 0; --k, --i)
+    {
+      while(least[k][i] == least[k][i - 1])
+        --i;
+      result[k - 1] = i;
+    }
+    return result;
+  }
+
+  // Makes the lengths between two others increase with a least distance: an isotonic regression.
+  static void spread(const std::size_t first, const std::size_t last, std::vector<double>& lengths)
+  {
+    constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean
+    const double step = (lengths[last] - lengths[first]) / static_cast<double>(last - first), gap = least_distance * step;
+    std::vector<std::pair<double, std::size_t> > blocks; // mean and number of lengths
+    for(std::size_t i = first + 1; i < last; ++i)
+    {
+      const double k = static_cast<double>(i - first);
+      blocks.emplace_back((1 - part_of_equal_distances) * (lengths[i] - lengths[first]) + part_of_equal_distances * k * step
+                          - k * gap, 1);
+      while(blocks.size() > 1 && blocks[blocks.size() - 2].first > blocks.back().first)
+      {
+        const auto [mean, number] = blocks.back();
+        blocks.pop_back();
+        auto& [other_mean, other_number] = blocks.back();
+        other_mean = (other_mean * static_cast<double>(other_number) + mean * static_cast<double>(number))
+                     / static_cast<double>(other_number + number);
+        other_number += number;
+      }
+    }
+    const double largest = (lengths[last] - lengths[first]) - gap * static_cast<double>(last - first);
+    std::size_t i = first + 1;
+    for(const auto& [mean, number] : blocks)
+      for(std::size_t k = 0; k < number; ++k, ++i)
+        lengths[i] = lengths[first] + std::clamp(mean, 0., largest) + gap * static_cast<double>(i - first);
   }
 
   // Returns for each vertex those at the other ends of its edges.
@@ -317,43 +375,45 @@ private:
     return result;
   }
 
-  // Puts the vertices under the boundary at a part of an edge from it, and others near the means of their neighbors.
-  void move_inside()
+  // Puts the vertices under the boundary near it, in the direction inside, and lets all others follow: they move by the mean of
+  // what their neighbors do. Therefore, hexahedra far inside remain valid.
+  void move_inside(const std::vector<Vector_3>& start)
   {
-    constexpr double depth = 0.3;                           // a guess; relative to the edges at the vertex
-    constexpr int number_of_layers = 7, number_of_sweeps = 25; // guesses
+    constexpr double depth = 0.3;       // a guess; relative to the edges at the vertex
+    constexpr int number_of_sweeps = 50; // a guess
     const auto around = neighbors([](std::size_t, std::size_t) { return true; });
-    std::vector<int> layer(around.size(), number_of_layers + 1);
-    std::vector<bool> is_under_boundary(around.size(), false);
+    const auto is_inside = [&](const std::size_t v) { return m_locations[v].freedom == Freedom_3::SPACE; };
+    std::vector<bool> may_follow(around.size());
     for(std::size_t v = 0; v < around.size(); ++v)
-      if(m_locations[v].freedom != Freedom_3::SPACE)
-        layer[v] = 0;
-    for(int number = 1; number <= number_of_layers; ++number)
-      for(std::size_t v = 0; v < around.size(); ++v)
-        if(layer[v] > number && std::any_of(around[v].begin(), around[v].end(),
-                                            [&](const std::size_t w) { return layer[w] == number - 1; }))
-          layer[v] = number;
+      may_follow[v] = is_inside(v);
     for(std::size_t v = 0; v < around.size(); ++v)
     {
-      if(layer[v] > 0)
+      if(is_inside(v))
         continue;
       std::vector<std::size_t> inner;
       double length = 0;
       for(const std::size_t w : around[v])
-        if(layer[w] > 0)
+        if(is_inside(w))
           inner.push_back(w);
         else
           length += (m_mesh.points[w] - m_mesh.points[v]).norm();
       if(inner.size() != 1)
         continue;
       length /= static_cast<double>(around[v].size() - 1);
-      m_mesh.points[inner[0]] = m_mesh.points[v] + depth * (std::min)(length, m_edge) * direction_inside(v);
-      is_under_boundary[inner[0]] = true;
+      const std::size_t w = inner[0];
+      m_mesh.points[w]
+        = m_mesh.points[v] + (std::min)({ depth * length, depth * m_edge, (start[w] - start[v]).norm() }) * direction_inside(v);
+      may_follow[w] = false;
     }
     for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
       for(std::size_t v = 0; v < around.size(); ++v)
-        if(layer[v] > 0 && layer[v] <= number_of_layers && !is_under_boundary[v])
-          m_mesh.points[v] = mean(around[v]);
+        if(may_follow[v])
+        {
+          Vector_3 way = Vector_3::Zero();
+          for(const std::size_t w : around[v])
+            way += (m_mesh.points[w] - start[w]) / static_cast<double>(around[v].size());
+          m_mesh.points[v] = start[v] + way;
+        }
   }
 
   const Body_complex_3& m_complex;

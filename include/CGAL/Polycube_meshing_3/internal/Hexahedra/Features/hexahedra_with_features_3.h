@@ -13,18 +13,23 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Placed_features_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Sheets_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
+#include <optional>
+
 namespace CGAL::Polycube_meshing_3::internal {
+
+constexpr double tolerance_of_features = 0.1; // how far hexahedra may be from features that they keep, in edges
 
 // Returns which corners, curves and patches of a body hexahedra have: a corner is near a vertex of the boundary, all points of a
 // curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is a tenth of an edge.
 inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                                 const Hexahedra_3& mesh, const double edge)
 {
-  constexpr double tolerance = 0.1;
+  const double tolerance = tolerance_of_features;
   AABB_trees_3::Segments segments;
   for(const std::array<std::size_t, 4>& q : mesh.facets)
     for(std::size_t i = 0; i < 4; ++i)
@@ -97,6 +102,35 @@ inline std::string sentence_on_features(const Hexahedral_mesh_features& features
                   ". To keep more, make the spacing smaller.");
 }
 
+// Gives a mesh the edges along curves, with both vertices on these, and the vertices at corners.
+inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge, Hexahedron_soup_3& soup)
+{
+  const double tolerance = tolerance_of_features * edge, rounding = 1e-6 * edge;
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(const Corner_3& corner : complex.corners())
+    for(std::size_t v = 0; v < is_outer.size() && corner.is_of_body; ++v)
+      if(is_outer[v] && (mesh.points[v] - complex.points()[corner.vertex]).norm() <= tolerance)
+        soup.corners.push_back(v);
+  std::set<std::array<std::size_t, 2> > edges;
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    for(std::size_t i = 0; i < 4; ++i)
+      edges.insert(edge_of_quadrangle(q, i));
+  for(const auto& [v, w] : edges)
+  {
+    std::pair<double, std::size_t> nearest = { tolerance, complex.arcs().size() };
+    for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+    {
+      const auto distance = [&](const Vector_3& p) { return complex.line(a).nearest(p).first; };
+      if(distance(mesh.points[v]) <= rounding && distance(mesh.points[w]) <= rounding)
+        nearest = (std::min)(nearest, { distance((mesh.points[v] + mesh.points[w]) / 2), a });
+    }
+    if(nearest.second == complex.arcs().size())
+      continue;
+    soup.edges.push_back({ v, w });
+    soup.edge_references.push_back(complex.arcs()[nearest.second].reference);
+  }
+}
+
 // Returns hexahedra with a layer along the boundary, and with more edges at the vertices for corners where many arcs end: one of
 // the hexahedra there gets hexahedra around it.
 inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge)
@@ -126,8 +160,75 @@ inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const 
   return result;
 }
 
-// Returns hexahedra with the features of the body, made of others by a layer along the boundary, sheets where a quadrangle would
-// be flat, and new positions. Returns the ones as they are unless more features are kept by valid ones that are not bad.
+// Returns the sheets across paths that have fewer edges than their curves have bends, those across the longest edges first, as
+// long as the hexahedra that they add are few.
+inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
+                                                const Hexahedra_3& mesh, const Sheets_3& sheets, const double edge,
+                                                std::size_t most)
+{
+  std::set<std::size_t> result;
+  for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+  {
+    const std::vector<std::size_t>& path = embedding.path(a);
+    const std::size_t needed = 1 + complex.line(a).bends(distance_of_bends * edge).size();
+    if(path.size() >= needed || path.empty())
+      continue;
+    std::vector<std::pair<double, std::size_t> > candidates;
+    std::size_t number = path.size();
+    for(const std::size_t e : path)
+    {
+      const std::size_t v = embedding.graph().source(e), w = embedding.graph().target(e), sheet = sheets.sheet({ v, w });
+      if(result.count(sheet) > 0)
+        ++number;
+      else
+        candidates.emplace_back(-(mesh.points[v] - mesh.points[w]).norm(), sheet);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for(auto candidate = candidates.begin(); candidate != candidates.end() && number < needed; ++candidate)
+      if(sheets.size(candidate->second) <= most && result.insert(candidate->second).second)
+      {
+        most -= sheets.size(candidate->second);
+        ++number;
+      }
+  }
+  return result;
+}
+
+// Returns hexahedra with features of the body, made of others by a layer along the boundary, sheets across curves that have too
+// few edges, other sheets where a quadrangle would be flat, and new positions. Returns none if there are no paths. Vertices leave
+// their curves only if hexahedra would be bad otherwise.
+inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
+                                             const Hexahedra_3& start, const double edge, Linear_solver_3& solver,
+                                             const bool is_parallel, const Budget& budget)
+{
+  constexpr double largest_growth = 0.5; // a guess; part of the hexahedra that sheets across curves may add
+  Best_hexahedra_3 result = { edge, {}, {}, Staircases::NONE };
+  Hexahedra_3 mesh = with_room_for_corners_3(complex, start, edge);
+  std::size_t most = static_cast<std::size_t>(largest_growth * static_cast<double>(mesh.cells.size()));
+  std::optional<Feature_embedding_3> embedding;
+  for(;;)
+  {
+    embedding.emplace(complex, mesh, edge);
+    if(!embedding->run(budget))
+      return result;
+    const Sheets_3 sheets(mesh);
+    const std::set<std::size_t> cut = sheets_for_bends_3(complex, *embedding, mesh, sheets, edge, most);
+    if(cut.empty())
+      break;
+    Hexahedra_3 next = sheets.cut(cut);
+    most -= (std::min)(most, next.cells.size() - mesh.cells.size()); // sheets that cross add more than both alone
+    mesh = std::move(next);
+  }
+  const Placed_features_3 placed(complex, *embedding, mesh, edge, boundary);
+  Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
+  for(const bool may_leave_lines : { false, true })
+    if(!is_at_least(result.result, bad_scaled_jacobian))
+      Hexahedra_improvement_3(hexahedra, true, budget, result, may_leave_lines).run(false);
+  return result;
+}
+
+// Returns hexahedra with the features of the body. Returns the ones as they are unless more features are kept by valid ones that
+// are not bad.
 inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                   Best_hexahedra_3 best, const bool may_change, const Budget& budget)
 {
@@ -136,14 +237,8 @@ inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& pro
   const Hexahedral_mesh_features& before = best.result.features;
   if(!may_change || number_of_kept(before) == number_of_features(before))
     return best;
-  const Hexahedra_3 padded = with_room_for_corners_3(complex, best.mesh, best.edge);
-  Feature_embedding_3 embedding(complex, padded, best.edge);
-  if(!embedding.run(budget))
-    return best;
-  const Placed_features_3 placed(complex, embedding, padded, best.edge, body.surface);
-  Best_hexahedra_3 next = { best.edge, {}, {}, best.staircases };
-  Sliding_hexahedra_3 hexahedra(placed.result(), problem.solver, body.is_parallel, budget);
-  Hexahedra_improvement_3(hexahedra, true, budget, next).run(false);
+  Best_hexahedra_3 next
+    = fitted_to_features_3(complex, body.surface, best.mesh, best.edge, problem.solver, body.is_parallel, budget);
   if(!is_at_least(next.result, (std::min)(bad_scaled_jacobian, best.result.minimum_scaled_jacobian)))
     return best;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());

@@ -21,8 +21,9 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Hexahedra_improvement_3
 {
 public:
-  Hexahedra_improvement_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget, Best_hexahedra_3& best)
-    : m_hexahedra(hexahedra), m_has_padding(has_padding), m_budget(budget), m_best(best)
+  Hexahedra_improvement_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget, Best_hexahedra_3& best,
+                          const bool may_leave_lines = true)
+    : m_hexahedra(hexahedra), m_has_padding(has_padding), m_may_leave_lines(may_leave_lines), m_budget(budget), m_best(best)
   {}
 
   // If vertices may leave the surface, they do so before all else.
@@ -75,7 +76,7 @@ private:
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
     {
       const bool are_few = m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
-      if(in_vain == patience - 1 && are_few && m_hexahedra.leave_lines(0))
+      if(in_vain == patience - 1 && are_few && m_may_leave_lines && m_hexahedra.leave_lines(0))
         in_vain = 0;
       const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
@@ -124,7 +125,8 @@ private:
       in_vain = is_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian < poor_scaled_jacobian)
       {
-        m_hexahedra.leave_lines(flat_scaled_jacobian);
+        if(m_may_leave_lines)
+          m_hexahedra.leave_lines(flat_scaled_jacobian);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
       }
     }
@@ -151,7 +153,7 @@ private:
   }
 
   Sliding_hexahedra_3& m_hexahedra;
-  const bool m_has_padding;
+  const bool m_has_padding, m_may_leave_lines;
   const Budget& m_budget;
   Best_hexahedra_3& m_best;
   Hexahedral_mesh_result m_result; // of the hexahedra as they are

@@ -1,0 +1,159 @@
+// Copyright (c) 2026  the Volume_mesh_parameterization authors.
+// All rights reserved.
+// This file is intended for CGAL (www.cgal.org).
+// $URL$
+// $Id$
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : the Volume_mesh_parameterization authors
+
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_SHEETS_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_SHEETS_3_H
+
+#include <CGAL/license/Polycube_meshing_3.h>
+
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+
+namespace CGAL::Polycube_meshing_3::internal {
+
+// Sheets of hexahedra: those along edges that are opposite to each other in quadrangles. Some sheets can be cut in two.
+class Sheets_3
+{
+public:
+  explicit Sheets_3(const Hexahedra_3& mesh) : m_mesh(mesh)
+  {
+    for(const std::array<std::size_t, 8>& cell : mesh.cells)
+      for(std::size_t i = 0; i < 12; ++i)
+        m_sheets.emplace(edge(cell, i), m_sheets.size());
+    Disjoint_sets sets(m_sheets.size());
+    for(const std::array<std::size_t, 8>& cell : mesh.cells)
+      for(std::size_t i = 0; i < 12; ++i)
+        sets.unite(m_sheets.at(edge(cell, i)), m_sheets.at(edge(cell, i - i % 4)));
+    for(auto& [e, number] : m_sheets)
+      number = sets.find(number);
+    for(const std::array<std::size_t, 8>& cell : mesh.cells)
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        ++m_sizes[m_sheets.at(edge(cell, 4 * axis))];
+  }
+
+  std::size_t sheet(const std::array<std::size_t, 2>& e) const { return m_sheets.at(sorted(e)); }
+  std::size_t size(const std::size_t sheet) const { return m_sizes.at(sheet); } // number of hexahedra that a cut adds
+
+  // Returns the hexahedra with sheets cut in two.
+  Hexahedra_3 cut(const std::set<std::size_t>& sheets) const
+  {
+    Hexahedra_3 result = m_mesh;
+    result.cells.clear();
+    result.cell_blocks.clear();
+    result.cell_indices.clear();
+    result.cell_references.clear();
+    result.facets.clear();
+    result.facet_cells.clear();
+    result.polycube_faces.clear();
+    std::vector<std::vector<std::size_t> > facets(m_mesh.cells.size());
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      facets[m_mesh.facet_cells[f]].push_back(f);
+    std::map<std::vector<std::size_t>, std::size_t> middles;
+    for(std::size_t c = 0; c < m_mesh.cells.size(); ++c)
+    {
+      std::array<std::size_t, 3> numbers; // of parts along each axis
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        numbers[axis] = 1 + sheets.count(m_sheets.at(edge(m_mesh.cells[c], 4 * axis)));
+      for(std::size_t part = 0; part < numbers[0] * numbers[1] * numbers[2]; ++part)
+      {
+        const std::array<std::size_t, 3> at
+          = { part % numbers[0], part / numbers[0] % numbers[1], part / (numbers[0] * numbers[1]) };
+        result.cells.emplace_back();
+        for(std::size_t k = 0; k < 8; ++k)
+          result.cells.back()[k] = vertex(c, k, numbers, at, middles, result);
+        result.cell_blocks.push_back(m_mesh.cell_blocks[c]);
+        result.cell_references.push_back(m_mesh.cell_references[c]);
+        const auto& [i, j, k] = m_mesh.cell_indices[c];
+        result.cell_indices.push_back({ 2 * i + at[0], 2 * j + at[1], 2 * k + at[2] });
+        for(const std::size_t f : facets[c])
+        {
+          const std::size_t side = side_of_facet(m_mesh, f), axis = axis_across(side);
+          if(at[axis] != (is_upper(quadrangles_of_hexahedron[side][0], axis) ? numbers[axis] - 1 : 0))
+            continue;
+          result.facet_cells.push_back(result.cells.size() - 1);
+          result.facets.push_back(vertices_of(result, { result.cells.size() - 1, side }));
+          result.polycube_faces.push_back(m_mesh.polycube_faces[f]);
+        }
+      }
+    }
+    number_indices(result);
+    return result;
+  }
+
+private:
+  using Edge = std::array<std::size_t, 2>;
+
+  // Edges of a hexahedron, four along each axis.
+  static Edge edge(const std::array<std::size_t, 8>& cell, const std::size_t i)
+  {
+    constexpr std::size_t ends[12][2] = { {0, 1}, {3, 2}, {4, 5}, {7, 6}, {0, 3}, {1, 2}, {4, 7}, {5, 6},
+                                          {0, 4}, {1, 5}, {2, 6}, {3, 7} };
+    return sorted(Edge{ cell[ends[i][0]], cell[ends[i][1]] });
+  }
+
+  static std::size_t axis_across(const std::size_t side)
+  { return 3 - axes_of_quadrangle[side][0] - axes_of_quadrangle[side][1]; }
+
+  // Returns whether a vertex of a hexahedron is on the upper side along an axis.
+  static bool is_upper(const std::size_t k, const std::size_t axis)
+  { return axis == 0 ? k % 4 == 1 || k % 4 == 2 : axis == 1 ? k % 4 >= 2 : k >= 4; }
+
+  // Returns vertex k of a part of a hexahedron: an old one, or the middle of an edge, a quadrangle or the hexahedron.
+  std::size_t vertex(const std::size_t c, const std::size_t k, const std::array<std::size_t, 3>& numbers,
+                     const std::array<std::size_t, 3>& at, std::map<std::vector<std::size_t>, std::size_t>& middles,
+                     Hexahedra_3& result) const
+  {
+    std::vector<std::size_t> around;
+    for(std::size_t l = 0; l < 8; ++l)
+    {
+      bool is_near = true;
+      for(std::size_t axis = 0; axis < 3; ++axis)
+        is_near = is_near && (is_upper(l, axis) == is_upper(k, axis)
+                              || (numbers[axis] == 2 && is_upper(k, axis) == (at[axis] == 0)));
+      if(is_near)
+        around.push_back(m_mesh.cells[c][l]);
+    }
+    std::sort(around.begin(), around.end());
+    if(around.size() == 1)
+      return around[0];
+    const auto [middle, is_new] = middles.emplace(around, result.points.size());
+    if(is_new)
+    {
+      Vector_3 point = Vector_3::Zero();
+      for(const std::size_t v : around)
+        point += m_mesh.points[v] / static_cast<double>(around.size());
+      result.points.push_back(point);
+    }
+    return middle->second;
+  }
+
+  // Numbers the hexahedra along each axis of a block without gaps.
+  static void number_indices(Hexahedra_3& mesh)
+  {
+    for(std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::map<std::array<std::size_t, 2>, std::size_t> numbers; // by block and index
+      for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+        numbers[{ mesh.cell_blocks[c], mesh.cell_indices[c][axis] }] = 0;
+      for(auto it = numbers.begin(); it != numbers.end(); ++it)
+        if(it != numbers.begin() && std::prev(it)->first[0] == it->first[0])
+          it->second = std::prev(it)->second + 1;
+      for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+        mesh.cell_indices[c][axis] = numbers.at({ mesh.cell_blocks[c], mesh.cell_indices[c][axis] });
+    }
+  }
+
+  const Hexahedra_3& m_mesh;
+  std::map<Edge, std::size_t> m_sheets; // of each edge
+  std::map<std::size_t, std::size_t> m_sizes;
+};
+
+} // namespace CGAL::Polycube_meshing_3::internal
+
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_SHEETS_3_H
