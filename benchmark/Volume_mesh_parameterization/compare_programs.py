@@ -4,6 +4,7 @@
 compare_programs.py PARAMETERIZE_MESH_FILE --set volmap=FOLDER --set wrapd=FOLDER --set handles=FOLDER --options "--refine" \\
   --external "NAME=other -s {source} -b {target} -o {output}" --first-valid "NAME=untangled at (\\S+) s" --page page.md
 
+other_programs/compare_with_others.sh builds other programs, and calls this script with them.
 public_sets.py lists the sets that are read, as they are published.
 parameterize_mesh_file and the other programs, which are not part of this package, run one after the other. A command has the
 words {source} (MODEL.mesh), {target} (MODEL_DOMAIN.txt) and {output}, a mesh of the same cells with the new coordinates. A program
@@ -163,6 +164,15 @@ def number_in_output(regex):
     return find
 
 
+def is_proved_to_have_no_map(driver, case):
+    """Whether the driver proves it for the connectivity of the source, in 20 seconds."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [driver, case.source, case.target, "--quiet", "--boundary", "fixed", "--time-limit", "20",
+                 "--output", f"{folder}/output.mesh"]
+        process = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return "No map with this connectivity meets this boundary" in process.stdout
+
+
 def number_in_report(_, folder):
     return json.loads((folder / "report.json").read_text())["seconds_to_flip_free"]
 
@@ -221,21 +231,24 @@ def machine():
             f"Date: {datetime.date.today()}."]
 
 
-def page(programs, driver, sets):
-    """Everything that was run: `sets` has the name, the rows and the number of cases left out of each."""
-    version = subprocess.run([driver, "--version"], stdout=subprocess.PIPE, text=True, check=False).stdout.split("\n")[0]
-    lines = [*machine(), f"{OURS}: {version}", *(f"{name}: `{command}`" for name, (command, _) in programs.items())]
+def page(programs, versions, sets):
+    """Everything that was run: `sets` has the name, rows, number of cases left out, and cases without a map of each."""
+    lines = [*machine(), *(f"{name}: {versions[name]}" if name in versions else f"{name}: `{command}`"
+                           for name, (command, _) in programs.items())]
     text = "# Maps of Public Sets {#PkgVolumeMeshParameterizationPublicSets}\n\n" + INTRODUCTION
     text += "".join(f"- {line}\n" for line in lines) + "\n"
-    lost = [{"set": name, **line} for name, rows, _ in sets for line in losses(rows, programs)]
+    lost = [{"set": name, **line} for name, rows, *_ in sets for line in losses(rows, programs)]
     if lost:
         text += f"The number of cases in which another program is better than {OURS}, of those that both map:\n\n"
         text += table(lost, list(lost[0]))
-    for name, rows, number_left_out in sets:
+    for name, rows, number_left_out, without_map in sets:
         lines = summary(rows, programs)
         text += f"## {name}\n\n" + table(lines, list(lines[0]))
         if number_left_out:
             text += f"{number_left_out} cases are left out, because cells of their source are flat or inverted.\n\n"
+        if without_map:
+            text += f"{len(without_map)} cases are proved to have no map with their connectivity: {', '.join(without_map)}.\n" \
+                    "They are no failures of programs that add no vertices.\n\n"
         lost = [row for row in rows if row["program"] == OURS and row["status"] != "exact"]
         text += f"Not exact by {OURS}: {len(lost)}.\n\n" + (table(lost, ["case", "status", "message"]) if lost else "")
         text += table(rows, COLUMNS)
@@ -260,6 +273,8 @@ def main():
     parser.add_argument("--external", action="append", default=[], metavar="NAME=COMMAND", help="another program")
     parser.add_argument("--first-valid", action="append", default=[], metavar="NAME=REGEX",
                         help="seconds until no cell was inverted, in the output of that program; the last match counts")
+    parser.add_argument("--version", action="append", default=[], metavar="NAME=TEXT",
+                        help="what the page says of that program, in place of its command")
     parser.add_argument("--time-limit", type=int, default=120, metavar="SECONDS",
                         help="of the processor, for each program and case (%(default)s)")
     parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
@@ -273,6 +288,8 @@ def main():
     for name, command in pairs(parser, arguments.external).items():
         programs[name] = (command, number_in_output(regexes.get(name)))
 
+    version = subprocess.run([arguments.driver, "--version"], stdout=subprocess.PIPE, text=True, check=False).stdout.split("\n")[0]
+    versions = {OURS: f"{version}, `{ours.replace(arguments.driver, OURS)}`", **pairs(parser, arguments.version)}
     sets = []
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(1) as pool:
         for name, source in pairs(parser, arguments.set).items():
@@ -284,13 +301,15 @@ def main():
                 sys.exit(f"there is no case in the folder {source}")
             rows = [run(program, command, first_valid, case, arguments.time_limit, pool)
                     for case in cases for program, (command, first_valid) in programs.items()]
-            sets.append((name, rows, number_left_out))
+            without_map = [case.name for case in cases if not case.is_free and is_proved_to_have_no_map(arguments.driver, case)]
+            sets.append((name, rows, number_left_out, without_map))
             print(table(rows, COLUMNS) + table(summary(rows, programs), list(summary(rows, programs)[0])), flush=True)
     if arguments.output:
-        write_csv(arguments.output + ".csv", [{"set": name, **row} for name, rows, _ in sets for row in rows])
-        write_json(arguments.output + ".json", {name: {"cases": rows, "summary": summary(rows, programs)} for name, rows, _ in sets})
+        write_csv(arguments.output + ".csv", [{"set": name, **row} for name, rows, *_ in sets for row in rows])
+        write_json(arguments.output + ".json",
+                   {name: {"cases": rows, "summary": summary(rows, programs)} for name, rows, *_ in sets})
     if arguments.page:
-        Path(arguments.page).write_text(page(programs, arguments.driver, sets))
+        Path(arguments.page).write_text(page(programs, versions, sets))
 
 
 if __name__ == "__main__":
