@@ -297,7 +297,8 @@ TEST_CASE("Where no splits are found, untangling goes on with the next attempt, 
     {
       const Numbered_mesh_3 mesh = tangled_cube(has_few_inverted_cells);
       const Attempts attempts = attempts_at(mesh, snapped(mesh, mesh.source), may_split);
-      CHECK(attempts.at_whole_mesh.size() == VMP::internal::untangling_attempts.size());
+      const std::size_t number_of_rounds = has_few_inverted_cells ? 2 : 1; // attempts that left few cells to patches go on
+      CHECK(attempts.at_whole_mesh.size() == number_of_rounds * VMP::internal::untangling_attempts.size());
       CHECK(!attempts.found.is_stuck());
       const std::size_t number_of_rings = 3;
       CHECK(attempts.number_at_splits == (may_split ? number_of_rings * VMP::internal::patch_attempts().size() : 0));

@@ -23,7 +23,8 @@ class Untangling_search_3
 public:
   // Splits make room for the last inverted cells in less time than large patches do, if edges may be split.
   Untangling_search_3(Newton_system_3& system, Map_3 start, Progress_3& progress, const bool may_split)
-    : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_number_of_rings(may_split ? 2 : 4)
+    : m_mesh(system.mesh()), m_system(system), m_progress(progress), m_number_of_rings(may_split ? 2 : 4),
+      m_few_cells(few_inverted_cells(m_mesh.global_number_of_cells()))
   { m_best.map = std::move(start); }
 
   const Found_map_3& best() const { return m_best; }
@@ -31,13 +32,14 @@ public:
   // Is there a proof that no map can mend the few cells that are still inverted?
   bool is_in_vain() const
   {
-    return is_unsolved() && m_best.map.number_of_inverted_cells <= few_inverted_cells && m_mesh.is_whole()
+    return is_unsolved() && m_best.map.number_of_inverted_cells <= m_few_cells && m_mesh.is_whole()
         && !prove_infeasibility_3(m_mesh, m_best.map.inverted_cells, m_progress.budget()).empty();
   }
 
   bool is_unsolved() const { return m_best.status == ERROR_NOT_FLIP_FREE; }
 
-  // Looks for edges whose splits leave fewer cells inverted, if at most that number is; only once for the same map.
+  // Looks for edges whose splits leave fewer cells inverted, if few or at most that number are; only once for the same map.
+  bool finds_splits() { return finds_splits(m_few_cells); }
   bool finds_splits(const std::size_t maximum_number)
   {
     const std::size_t number = m_best.map.number_of_inverted_cells;
@@ -61,13 +63,15 @@ public:
     return std::move(m_best);
   }
 
-  // The whole mesh, and then patches of it.
-  void untangle(const Untangling_attempt_3& attempt, const Matrix3Xd& start)
+  // The whole mesh, and then patches of it. Returns the images that the whole mesh has left to patches.
+  Matrix3Xd untangle(const Untangling_attempt_3& attempt, const Matrix3Xd& start)
+  { return untangle(attempt, attempt.name, start, m_few_cells); }
+
+  // Goes on with the whole mesh from where it has left few cells to patches and splits, which did not mend them.
+  void go_on(const Untangling_attempt_3& attempt, const Matrix3Xd& end)
   {
-    const Matrix3Xd positions
-      = keep_better(attempt.name, [&] { return untangle_with_3(attempt, m_system, start, m_progress, few_inverted_cells); });
-    if(is_unsolved())
-      untangle_patches(positions, std::string(attempt.name) + ", patches");
+    if(inverted_cells(m_mesh, end).number <= m_few_cells)
+      untangle(attempt, std::string(attempt.name) + ", continued", end, 0);
   }
 
   // Unless so many cells are inverted that they are no exceptions.
@@ -91,6 +95,15 @@ public:
   }
 
 private:
+  Matrix3Xd untangle(const Untangling_attempt_3& attempt, const std::string& name, const Matrix3Xd& start,
+                     const std::size_t few_cells)
+  {
+    Matrix3Xd end = keep_better(name, [&] { return untangle_with_3(attempt, m_system, start, m_progress, few_cells); });
+    if(is_unsolved())
+      untangle_patches(end, name + ", patches");
+    return end;
+  }
+
   // Returns the images that `find()` does, and keeps them if they are the best. Images without inverted cells replace others
   // of that kind if there were steps, as those were flat.
   template <typename Find>
@@ -116,24 +129,30 @@ private:
   Newton_system_3& m_system;
   Progress_3& m_progress;
   int m_number_of_rings; // of the largest patches; a guess
+  std::size_t m_few_cells;
   Found_map_3 m_best;
   std::size_t m_fewest_without_splits = (std::numeric_limits<std::size_t>::max)(); // inverted cells for which none were found
 };
 
 // Makes one attempt after the other, each from the start, until no cell is inverted, or all are in vain. Where one leaves few
-// cells, others mostly leave as many, so these are rather left to splits of edges, if these may be and are found.
+// cells, others mostly leave as many, so these are rather left to splits of edges, if these may be and are found. If all of this
+// fails, the attempts go on from where they have stopped.
 inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& mesh, const Matrix3Xd& start,
                             const bool may_split)
 {
+  std::vector<std::pair<Untangling_attempt_3, Matrix3Xd> > ends;
   for(const Untangling_attempt_3& attempt : untangling_attempts)
   {
     if(search.is_in_vain())
       break;
     if(search.is_unsolved())
-      search.untangle(attempt, start);
-    if(may_split && search.finds_splits(few_inverted_cells))
-      break;
+      ends.emplace_back(attempt, search.untangle(attempt, start));
+    if(may_split && search.finds_splits())
+      return;
   }
+  for(const auto& [attempt, end] : ends)
+    if(mesh.is_whole() && search.is_unsolved() && !search.is_in_vain()) // processes would count other cells
+      search.go_on(attempt, end);
   if(may_split)
     search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells()));
 }

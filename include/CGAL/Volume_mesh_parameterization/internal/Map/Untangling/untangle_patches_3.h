@@ -30,9 +30,11 @@ struct Untangling_attempt_3
   double solver_tolerance;
 };
 
-// Number of inverted cells that patches and splits mend in less time than steps of the whole mesh. A guess: with 20, 40 maps
-// and blocks with slivers took half as much time again, and as many splits; with a hundredth of all cells, one took six times.
-constexpr std::size_t few_inverted_cells = 100;
+// Returns the number of inverted cells that patches and splits mend in less time than steps of the whole mesh. A guess: with 20,
+// 40 maps and blocks with slivers took half as much time again; with a hundredth of 60,000 cells, one took six times; and with 100
+// of 1,500 cells, bodies with winding arms took twice as long as with 20.
+inline std::size_t few_inverted_cells(const double number_of_cells)
+{ return static_cast<std::size_t>((std::clamp)(number_of_cells / 75, 20., 100.)); }
 
 // They are tried in this order. Slivers of the source would stiffen the map, so regular cells of one size come first; a
 // large and a smaller theta fail in different places. In some maps of large distortion the source serves better; there
