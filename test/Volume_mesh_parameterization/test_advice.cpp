@@ -247,6 +247,14 @@ TEST_CASE("A boundary that is too coarse for a cube is mapped once it is refined
   CHECK((has(message, "around (0.5, 0.5, 0)") || has(message, "around (0.5, 0, 0.5)") || has(message, "around (0, 0.5, 0.5)")));
   const Tetrahedron_soup_3 fine = subdivided(subdivided(cell));
   CHECK(cube.parameterize(fine.points, fine.cells, targets) == VMP::OK);
+  for(const VMP::Refinement_mode mode : { VMP::Refinement_mode::HELPFUL, VMP::Refinement_mode::BOUNDARY })
+  {
+    Tetrahedron_soup_3 split = cell;
+    const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+      split.points, split.cells, targets, params::boundary_parameterizer(cube).refinement_mode(mode));
+    CHECK((result.status == VMP::OK) == (mode == VMP::Refinement_mode::BOUNDARY));
+    CHECK((result.number_of_added_boundary_vertices > 0) == (mode == VMP::Refinement_mode::BOUNDARY));
+  }
 }
 
 std::array<std::size_t, 8> corners_of_cube(const Tetrahedron_soup_3& soup, const double side)

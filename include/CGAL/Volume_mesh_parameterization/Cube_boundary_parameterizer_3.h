@@ -47,6 +47,9 @@ the bounding box.
 boundary vertices of bounded degree, the running time is in \f$ O(n \log n) \f$, plus at most 51 sparse linear systems for each
 face.
 
+If a boundary is too coarse, `CGAL::stretch_minimizing_volume_parameterization()` splits edges of it with
+`Refinement_mode::BOUNDARY`, those first that are longest on the sphere.
+
 \cgalModels{BoundaryParameterizer_3}
 
 \sa `Ball_boundary_parameterizer_3`
@@ -102,9 +105,11 @@ public:
 private:
   using Given = std::optional<std::array<std::size_t, 8> >; // corners
 
-  Error_code map(const internal::Numbered_surface_3& surface, const Given& corners, std::vector<internal::Vector_3>& images,
-                 const internal::Budget& budget) const
+  // Splits edges of the boundary if it is too coarse, and may be refined.
+  Error_code find(const internal::Body_3& body, const Given& corners, const bool may_refine, const internal::Budget& budget,
+                  std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
+    const internal::Numbered_surface_3 surface = internal::surface_of(body);
     std::optional<std::array<int, 8> > indices;
     if(corners)
       indices.emplace();
@@ -115,7 +120,15 @@ private:
         return ERROR_INVALID_CORNERS;
       (*indices)[k] = static_cast<int>(found - surface.vertices.begin());
     }
-    return internal::map_to_box_3(surface, m_half_lengths, indices, images, budget);
+    std::vector<std::array<std::size_t, 2> > splits;
+    std::vector<internal::Vector_3> images;
+    const Error_code status
+      = internal::map_to_box_3(surface, m_half_lengths, indices, images, budget, may_refine ? &splits : nullptr);
+    if(budget.is_exhausted()) // then the status does not matter
+      return ERROR_INTERRUPTED;
+    if(status == OK)
+      boundaries.push_back(this->mapped_boundary(body, surface, splits, images));
+    return status;
   }
 
   internal::Vector_3 m_half_lengths;

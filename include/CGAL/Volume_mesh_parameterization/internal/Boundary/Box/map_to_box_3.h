@@ -21,11 +21,12 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Maps a topological sphere onto the boundary of a box around the origin. Without corners, eight vertices are chosen.
+// Maps a topological sphere onto the boundary of a box around the origin. Without corners, eight vertices are chosen. With a range
+// for splits, edges are split if the surface is too coarse; new vertices come behind all others.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Vector_3>& images,
-                        const Budget& budget);
+                        const Budget& budget, std::vector<std::array<std::size_t, 2> >* splits = nullptr);
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 

@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Chart_relaxation_2.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/map_to_sphere_3_impl.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/split_edge_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Cell_arithmetic_3.h>
 
 #include <CGAL/number_utils.h>
@@ -24,6 +25,7 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cmath>
+#include <queue>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -191,17 +193,15 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
   return is_radially_bijective_3(mesh, images) ? OK : ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
 }
 
-// Maps a topological sphere to a box by the shortest paths, and by paths that prefer sharp edges if these differ. Takes the map
-// of less distortion.
-inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_edges& sharp_edges,
-                                    const Vector_3& half_lengths, const std::optional<std::array<int, 8> >& given_corners,
-                                    std::vector<Vector_3>& images, const Budget& budget)
+// Maps a surface with a known image on the unit sphere to a box by the shortest paths, and by paths that prefer sharp edges if
+// these differ. Takes the map of less distortion.
+inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& sphere,
+                                    const Sorted_edges& sharp_edges, const Vector_3& half_lengths,
+                                    const std::optional<std::array<int, 8> >& given_corners, std::vector<Vector_3>& images,
+                                    const Budget& budget)
 {
   if(mesh.number_of_vertices() < 8)
     return ERROR_BOUNDARY_TOO_COARSE;
-  std::vector<Vector_3> sphere;
-  if(const Error_code status = map_mesh_to_sphere_3(mesh, sphere, budget); status != OK)
-    return status;
   const std::vector<Vector_3> points = unit_points(mesh);
   const std::array<int, 8> corners = given_corners ? *given_corners : cube_corners_3(points, sphere, half_lengths);
   const Vertex_rings_3 rings(mesh);
@@ -224,14 +224,53 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const Sorted_ed
   return OK;
 }
 
+// Splits edges whose images on the sphere are longer than a bound, the longest first. Vertices come to the middle of arcs.
+inline void split_long_edges_3(Boundary_mesh_3& mesh, std::vector<Vector_3>& sphere, const double bound,
+                               std::vector<std::array<std::size_t, 2> >& splits)
+{
+  std::priority_queue<std::pair<double, Boundary_mesh_3::Edge_index> > queue;
+  const auto length = [&](const auto e) { return (sphere[mesh.vertex(e, 0)] - sphere[mesh.vertex(e, 1)]).norm(); };
+  const auto add = [&](const auto e)
+  {
+    if(length(e) > bound)
+      queue.push({ length(e), e });
+  };
+  for(const auto e : mesh.edges())
+    add(e);
+  while(!queue.empty())
+  {
+    const auto [length_then, e] = queue.top();
+    queue.pop();
+    if(length(e) != length_then) // it has been split since
+      continue;
+    splits.push_back(split_edge_3(mesh, e));
+    sphere.push_back((sphere[splits.back()[0]] + sphere[splits.back()[1]]).normalized());
+    for(const auto h : CGAL::halfedges_around_target(vertex_index(sphere.size() - 1), mesh))
+      add(mesh.edge(h));
+  }
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Vector_3>& images,
-                        const Budget& budget)
+                        const Budget& budget, std::vector<std::array<std::size_t, 2> >* const splits)
 {
+  constexpr std::array<double, 3> bounds = { 0.5, 0.25, 0.125 }; // guesses; edges of a cube in the unit sphere have length 1.15
   Boundary_mesh_3 mesh;
-  const Error_code status = build_boundary_mesh_3(surface, mesh);
-  return status == OK ? map_mesh_to_box_3(mesh, surface.sharp_edges, half_lengths, corners, images, budget) : status;
+  Error_code status = build_boundary_mesh_3(surface, mesh);
+  std::vector<Vector_3> sphere;
+  if(status == OK)
+    status = map_mesh_to_sphere_3(mesh, sphere, budget);
+  if(status != OK)
+    return status;
+  const auto map = [&] { return map_mesh_to_box_3(mesh, sphere, surface.sharp_edges, half_lengths, corners, images, budget); };
+  status = map();
+  for(auto bound = bounds.begin(); splits != nullptr && status == ERROR_BOUNDARY_TOO_COARSE && bound != bounds.end(); ++bound)
+  {
+    split_long_edges_3(mesh, sphere, *bound, *splits);
+    status = map();
+  }
+  return status;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
