@@ -103,11 +103,11 @@ inline std::string advice_for(const std::string& filename)
 inline std::string advice_to_refine(const std::string& filename)
 {
   if(is_body_name(filename))
-    return " --refine does not split edges of this boundary. Smaller cells help: --cells SIZE with half of the size.";
+    return " Smaller cells help: --cells SIZE with half of the size.";
   const bool is_of_Gmsh = format_of(filename) == Mesh_format::GMSH || extension_of(filename) == ".mesh";
   const std::string name = is_of_Gmsh ? filename : "SOURCE.mesh";
   const std::string finer = std::filesystem::path(name).replace_extension(".finer" + extension_of(name)).string();
-  return " --refine does not split edges of this boundary. A finer mesh helps: gmsh " + shell_quoted(name) + " -refine -o "
+  return " A finer mesh helps: gmsh " + shell_quoted(name) + " -refine -o "
     + shell_quoted(finer) + " splits each cell into eight. This command can be repeated.";
 }
 

@@ -70,7 +70,7 @@ struct Ball_or_box
 
 using Polycube = PM::Polycube_boundary_parameterizer_3;
 using Surface_fit = VMP::Surface_fit_boundary_parameterizer_3;
-using Boundary_parameterizer = std::variant<Ball_or_box, Polycube, Surface_fit>;
+using Boundary_parameterizer = std::variant<Ball_or_box, Ball_or_box::Box, Polycube, Surface_fit>;
 
 inline bool is_surface_domain(const std::string& domain) { return format_of(domain) == Mesh_format::SURFACE; }
 
@@ -106,8 +106,12 @@ inline Boundary_parameterizer named_boundary_parameterizer(const std::string& na
         {"ball", Ball_or_box{ Ball_or_box::Ball() }}, {"cube", Ball_or_box{ Ball_or_box::Box() }},
         {"box=X,Y,Z", Ball_or_box()}, {"polycube", polycube},
         {"a surface *.off, *.stl, *.obj, *.ply or *.vtp", Ball_or_box()}});
-  if(Ball_or_box* const ball_or_box = std::get_if<Ball_or_box>(&result))
-    ball_or_box->landmarks = landmarks;
+  Ball_or_box* const ball_or_box = std::get_if<Ball_or_box>(&result);
+  if(ball_or_box == nullptr)
+    return result;
+  if(const Ball_or_box::Box* const box = std::get_if<Ball_or_box::Box>(&ball_or_box->domain); box && landmarks.empty())
+    return *box; // whose edges on the boundary may be split
+  ball_or_box->landmarks = landmarks;
   return result;
 }
 
