@@ -80,6 +80,14 @@ public:
   /// returns the kind.
   Kind kind() const { return m_kind; }
 
+  /// returns the number of directions in which the image may move: 3 if it is free, 2 in a plane, on a surface or in the boundary,
+  /// 1 on a line or a curve, and 0 at its target.
+  int dimension() const
+  {
+    constexpr int of_kinds[] = { 3, 2, 1, 0, 2, 1, 2 };
+    return of_kinds[m_kind];
+  }
+
   /// returns the normal of the plane or the direction of the line, and otherwise zeros. Its length has no meaning.
   const std::array<double, 3>& direction() const { return m_direction; }
 

@@ -224,7 +224,7 @@ Prescription_3 prescription_3(const Body_3& body, const NamedParameters& np, con
   result.extend_to(body.points.size());
   set_conditions<Vertex>(result, body, points, np, vertex);
   for(const std::size_t p : points)
-    if(result.conditions[p].kind() != Vertex_condition_3::FREE)
+    if(result.conditions[p].dimension() < 3)
       result.targets[p] = body.image_type.rounded_point(completed_target(coordinates(target(p)), result.conditions[p]));
   if constexpr(!parameters::is_default_parameter<NamedParameters, internal_np::initial_map_t>::value)
     set_initial_images<Vertex>(result, points, np, vertex);

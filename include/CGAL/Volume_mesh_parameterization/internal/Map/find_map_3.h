@@ -51,7 +51,7 @@ inline Found_map_3 find_map_from_start_3(const Numbered_mesh_3& mesh, const Map_
 {
   Newton_system_3 system(mesh, free_vertices(mesh), problem.solver);
   Found_map_3 found = untangle_mesh_3(system, start, problem.progress);
-  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY))
+  if(are_some_in_boundary(mesh.sliding_conditions))
     return found;
   if(found.status == OK)
     found = minimize_map_3(system, problem, std::move(found));
@@ -103,7 +103,7 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
                                                   const Search_start_3& start)
 {
   Found_map_3 found = find_map_from_start_3(mesh, problem, start);
-  if(!mesh.alignment || has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY))
+  if(!mesh.alignment || are_some_in_boundary(mesh.sliding_conditions))
     return found;
   const auto energy = [&](const Map_3& map)
   {

@@ -118,8 +118,7 @@ Parameterization_result make_result_3(const Numbered_mesh_3& mesh, const Input_c
      && !found.has_slid_on_surfaces) // off their targets
     result.message += describe_distorted_prescribed_cells(mesh);
   result.number_of_sliding_vertices = found.number_of_sliding_vertices
-    + std::count_if(mesh.conditions.begin(), mesh.conditions.end(), [](const Vertex_condition_3& condition)
-                    { return condition.kind() != Vertex_condition_3::AT_TARGET; });
+    + std::count_if(mesh.conditions.begin(), mesh.conditions.end(), [](const Vertex_condition_3& c) { return c.dimension() > 0; });
   result.number_of_infeasibility_proofs = found.diagnosis ? found.diagnosis->number_of_proofs : 0;
   result.number_of_inverted_cells_at_start = found.number_of_inverted_cells_at_start;
   result.number_of_inverted_cells = found.map.number_of_inverted_cells;

@@ -60,7 +60,7 @@ inline Prescription_3 with_conditions_of_source(const Body_3& body, Prescription
 {
   std::vector<bool> slides(body.points.size());
   for(std::size_t p = 0; p < slides.size(); ++p)
-    slides[p] = prescription.conditions[p].kind() == Vertex_condition_3::IN_BOUNDARY && std::isnan(prescription.targets[p][0]);
+    slides[p] = slides_in_boundary(prescription.conditions[p]) && std::isnan(prescription.targets[p][0]);
   if(std::find(slides.begin(), slides.end(), true) == slides.end())
     return prescription;
   Numbered_body_3 numbered(body, prescription.prescribed_points(), body.points);
@@ -90,7 +90,7 @@ inline Vertex_condition_3 first_condition_3(const Vertex_condition_3& condition,
     return does_slide_later(condition) ? Vertex_condition_3::at_target() : condition;
   const auto [point, d] = put_on_surface_3(condition, start);
   target = point;
-  return condition.kind() == Vertex_condition_3::ON_CURVE ? Vertex_condition_3::on_line(d[0], d[1], d[2])
+  return condition.dimension() == 1 ? Vertex_condition_3::on_line(d[0], d[1], d[2])
                                                           : Vertex_condition_3::in_plane(d[0], d[1], d[2]);
 }
 

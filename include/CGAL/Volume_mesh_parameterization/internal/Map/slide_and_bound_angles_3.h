@@ -125,7 +125,7 @@ Found_map_3 slide_and_bound_angles_3(const Numbered_mesh_3& mesh, const Map_prob
   found.number_of_sliding_vertices = boundary.number_of_sliding_vertices();
   found.conditions = boundary.conditions();
   found.has_slid_on_surfaces = are_some_on_surfaces(boundary.conditions());
-  if(has_kind(mesh.sliding_conditions, Vertex_condition_3::IN_BOUNDARY) && found.has_slid_on_surfaces)
+  if(are_some_in_boundary(mesh.sliding_conditions) && found.has_slid_on_surfaces)
   { // folds may end the sliding early, so it starts at the minimum of the fixed boundary
     Newton_system_3 fixed(mesh, free_vertices(mesh), problem.solver);
     found = minimize_map_3(fixed, problem, std::move(found));

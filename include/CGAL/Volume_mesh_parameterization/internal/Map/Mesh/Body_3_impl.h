@@ -57,7 +57,7 @@ CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE std::vector<bool> Prescription_3::presc
 {
   std::vector<bool> result;
   for(const Vertex_condition_3& condition : conditions)
-    result.push_back(condition.kind() != Vertex_condition_3::FREE);
+    result.push_back(condition.dimension() < 3);
   return result;
 }
 

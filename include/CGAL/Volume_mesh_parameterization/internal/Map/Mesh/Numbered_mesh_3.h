@@ -100,7 +100,7 @@ struct Numbered_mesh_3
     return is_free(v) ? Vertex_condition_3::free()
          : conditions.empty() ? Vertex_condition_3::at_target() : conditions[v - number_of_free_vertices];
   }
-  bool is_fixed(const int v) const { return condition(v).kind() == Vertex_condition_3::AT_TARGET; }
+  bool is_fixed(const int v) const { return condition(v).dimension() == 0; }
   Matrix_3 projector(const int v) const { return projector_3(condition(v)); }
   std::size_t user_number(const std::size_t cell) const { return user_numbers.empty() ? cell : user_numbers[cell]; }
 };

@@ -132,11 +132,11 @@ private:
   {
     using Condition = Vertex_condition_3;
     const Condition &first = m_surfaces.front().condition, &last = m_surfaces.back().condition;
-    const bool is_free = in_planes.kind() == Condition::FREE;
-    const bool are_surfaces = first.kind() == Condition::ON_SURFACE && last.kind() == Condition::ON_SURFACE;
+    const bool is_free = in_planes.dimension() == 3;
+    const bool are_surfaces = first.dimension() == 2 && last.dimension() == 2;
     if(is_free && m_surfaces.size() == 1)
       return first;
-    if(in_planes.kind() == Condition::IN_PLANE && m_surfaces.size() == 1 && are_surfaces)
+    if(in_planes.dimension() == 2 && m_surfaces.size() == 1 && are_surfaces)
       return Condition::on_curve(Surface_intersection_3(first.surface(), planes));
     if(is_free && m_surfaces.size() == 2 && are_surfaces)
       return Condition::on_curve(Surface_intersection_3(first.surface(), last.surface()));

@@ -122,14 +122,14 @@ public:
   explicit Sliding_boundary_3(const Numbered_mesh_3& mesh)
     : m_mesh(mesh), m_conditions(mesh.sliding_conditions.empty() ? mesh.conditions : mesh.sliding_conditions)
   {
-    if(!has_kind(m_conditions, Vertex_condition_3::IN_BOUNDARY))
+    if(!are_some_in_boundary(m_conditions))
       return;
     for(const std::array<int, 3>& facet : boundary_facets_3(mesh.cells, mesh.is_parallel))
       if(std::all_of(facet.begin(), facet.end(), [&](const int v) { return mesh.is_fixed(v); }))
         m_facets.push_back(facet);
       else
         for(const int v : facet)
-          if(slides_in_boundary(v))
+          if(slides(v))
             condition(v) = Vertex_condition_3::at_target();
     const Planar_regions_3 regions(mesh.target, m_facets, planarity * target_diagonal(mesh));
     slide_in_regions(regions);
@@ -141,7 +141,7 @@ public:
   {
     std::size_t result = 0;
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices() && !m_conditions.empty(); ++v)
-      result += m_mesh.is_fixed(v) && condition(v).kind() != Vertex_condition_3::AT_TARGET;
+      result += m_mesh.is_fixed(v) && condition(v).dimension() > 0;
     return result;
   }
 
@@ -165,8 +165,7 @@ private:
 
   Vertex_condition_3& condition(const int v) { return m_conditions[v - m_mesh.number_of_free_vertices]; }
   const Vertex_condition_3& condition(const int v) const { return m_conditions[v - m_mesh.number_of_free_vertices]; }
-  bool slides_in_boundary(const int v) const
-  { return !m_mesh.is_free(v) && condition(v).kind() == Vertex_condition_3::IN_BOUNDARY; }
+  bool slides(const int v) const { return !m_mesh.is_free(v) && slides_in_boundary(condition(v)); }
 
   void slide_in_regions(const Planar_regions_3& regions)
   {
@@ -176,7 +175,7 @@ private:
         if(auto& around = regions_of_vertices[v]; std::find(around.begin(), around.end(), regions.region(f)) == around.end())
           around.push_back(regions.region(f));
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
-      if(const auto& around = regions_of_vertices[v]; slides_in_boundary(v)
+      if(const auto& around = regions_of_vertices[v]; slides(v)
          && std::all_of(around.begin(), around.end(), [&](const std::size_t region) { return regions.is_planar(region); }))
         slide_between(regions, around, condition(v));
   }
@@ -209,9 +208,9 @@ private:
         return;
       const Vector_3 axis(double(p[0] != q[0]), double(p[1] != q[1]), double(p[2] != q[2]));
       for(const int u : { v, w })
-        if(condition(u).kind() == Vertex_condition_3::IN_PLANE)
+        if(const Matrix_3 projector = projector_3(condition(u)); condition(u).dimension() == 2 && !projector.is_zero())
           condition(u) = on_line(axis);
-        else if(condition(u).kind() == Vertex_condition_3::ON_LINE && projector_3(condition(u)) != Matrix_3::diagonal(axis))
+        else if(condition(u).dimension() == 1 && !projector.is_zero() && projector != Matrix_3::diagonal(axis))
           condition(u) = Vertex_condition_3::in_boundary();
     });
   }
@@ -227,12 +226,12 @@ private:
     std::vector<bool> is_curved(m_mesh.number_of_vertices(), false);
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       for(const int v : m_facets[f])
-        if(slides_in_boundary(v) && (sizes[regions.region(f)] == 1 || !regions.is_planar(regions.region(f))))
+        if(slides(v) && (sizes[regions.region(f)] == 1 || !regions.is_planar(regions.region(f))))
           is_curved[v] = true;
     const bool are_some_curved = std::find(is_curved.begin(), is_curved.end(), true) != is_curved.end();
     const std::optional<Triangulated_surface_3> surface = are_some_curved ? std::optional(target_surface()) : std::nullopt;
     for(int v = m_mesh.number_of_free_vertices; v < m_mesh.number_of_vertices(); ++v)
-      if(slides_in_boundary(v))
+      if(slides(v))
         condition(v) = is_curved[v] && surface->condition(v).is_sliding() ? surface->condition(v)
                                                                           : Vertex_condition_3::at_target();
   }

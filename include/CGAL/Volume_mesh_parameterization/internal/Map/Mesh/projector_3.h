@@ -20,22 +20,23 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Returns whether a vertex is at its target first, and slides later.
-inline bool does_slide_later(const Vertex_condition_3& condition)
-{ return condition.is_sliding() || condition.kind() == Vertex_condition_3::IN_BOUNDARY; }
-
-inline bool is_at_target_first(const Vertex_condition_3& condition)
-{ return condition.kind() == Vertex_condition_3::AT_TARGET || does_slide_later(condition); }
-
 using Conditions_3 = std::vector<Vertex_condition_3>;
 
-inline bool has_kind(const Conditions_3& conditions, const Vertex_condition_3::Kind kind)
-{
-  return std::any_of(conditions.begin(), conditions.end(), [&](const Vertex_condition_3& c) { return c.kind() == kind; });
-}
+inline bool slides_in_boundary(const Vertex_condition_3& condition)
+{ return condition.kind() == Vertex_condition_3::IN_BOUNDARY; }
+
+// Returns whether a vertex is at its target first, and slides later.
+inline bool does_slide_later(const Vertex_condition_3& condition)
+{ return condition.is_sliding() || slides_in_boundary(condition); }
+
+inline bool is_at_target_first(const Vertex_condition_3& condition)
+{ return condition.dimension() == 0 || does_slide_later(condition); }
+
+inline bool are_some_in_boundary(const Conditions_3& conditions)
+{ return std::any_of(conditions.begin(), conditions.end(), slides_in_boundary); }
 
 inline bool are_some_on_surfaces(const Conditions_3& conditions)
-{ return has_kind(conditions, Vertex_condition_3::ON_SURFACE) || has_kind(conditions, Vertex_condition_3::ON_CURVE); }
+{ return std::any_of(conditions.begin(), conditions.end(), [](const Vertex_condition_3& c) { return c.is_sliding(); }); }
 
 // Returns the projector onto the directions in which a vertex may move: space, a plane, a line or a point. A vertex that slides
 // stays until then.
@@ -56,7 +57,7 @@ inline Matrix_3 projector_3(const Vertex_condition_3& condition)
 inline Matrix_3 projector_3(const Vertex_condition_3& condition, const Vector_3& direction)
 {
   const Matrix_3 along = Matrix_3::outer_product(direction, direction);
-  return condition.kind() == Vertex_condition_3::ON_CURVE ? along : Matrix_3::Identity() - along;
+  return condition.dimension() == 1 ? along : Matrix_3::Identity() - along;
 }
 
 // Returns the point to which a vertex is put back on its surface or curve, and the unit normal or tangent there.

@@ -46,8 +46,7 @@ public:
 
   // The vertices that may leave their targets. Those on surfaces cannot move until normals are set.
   explicit Unknowns_3(const Conditions_3& conditions)
-    : Unknowns_3(static_cast<int>(conditions.size()),
-                 [&](const int v) { return conditions[v].kind() != Vertex_condition_3::AT_TARGET; })
+    : Unknowns_3(static_cast<int>(conditions.size()), [&](const int v) { return conditions[v].dimension() > 0; })
   {
     if(are_some_on_surfaces(conditions))
       m_normals = Matrix3Xd::Zero(3, number_of_vertices());
@@ -126,7 +125,7 @@ public:
   }
 
   bool is_on_surface(const int v) const
-  { return contains(v) && !m_conditions.empty() && m_conditions[row(v)].kind() == Vertex_condition_3::ON_SURFACE; }
+  { return contains(v) && !m_conditions.empty() && m_conditions[row(v)].is_sliding() && m_conditions[row(v)].dimension() == 2; }
 
   const Conditions_3& conditions() const { return m_conditions; }
 
