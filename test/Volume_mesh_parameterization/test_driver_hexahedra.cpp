@@ -92,7 +92,7 @@ TEST_CASE("The faces of a polycube are multiples of the spacing of hexahedra")
 TEST_CASE("Hexahedra follow a ridge that is in a list of features")
 {
   const Folder folder;
-  Soup roof = cube(4); // whose top falls by 6 degrees on both sides of y = 1, where no plane of the grid is, and no edge bends much
+  Soup roof = cube(4); // whose top falls by 6 degrees, which is no bend, on both sides of y = 1, where no plane of the grid is
   std::string ridge = "4\n";
   for(double x = 0; x < 4; ++x)
   {
