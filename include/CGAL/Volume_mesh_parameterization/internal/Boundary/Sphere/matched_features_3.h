@@ -262,7 +262,8 @@ inline std::vector<std::size_t> corners_of(const std::vector<Feature_curve_3>& c
 }
 
 // Returns the points of a target at which vertices of a surface meet its corners and curves. Corners are matched with the nearest
-// ones, where the surface has its images, and curves by their ends. Vertices keep their parts of the length of a curve.
+// ones, where the surface has its images, and curves by their ends. Vertices keep their parts of the length of a curve. If fewer
+// than half of the curves are matched, these are alike by chance, as folds of coarse surfaces are, and nothing is met.
 inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>& curves,
                                              const std::vector<Feature_curve_3>& curves_of_target,
                                              const Numbered_surface_3& target, const std::vector<Vector_3>& images)
@@ -302,7 +303,10 @@ inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>&
       distance += (image_at(c, part) - d.point(d.nearest_part(image_at(c, part)))).norm() / 3;
     return distance < bound ? distance : infinity;
   });
-  result.are_complete = pairs_of_curves.size() == (std::max)(curves.size(), curves_of_target.size());
+  const std::size_t number_of_curves = (std::max)(curves.size(), curves_of_target.size());
+  if(2 * pairs_of_curves.size() < number_of_curves)
+    return {};
+  result.are_complete = pairs_of_curves.size() == number_of_curves;
   for(const auto& [i, j] : pairs_of_curves)
   {
     const Feature_curve_3 &c = curves[i], &d = curves_of_target[j];
