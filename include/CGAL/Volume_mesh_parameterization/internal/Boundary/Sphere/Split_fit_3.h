@@ -79,7 +79,7 @@ private:
     {
       const auto v = m_fit.mesh.vertex(e, 0), w = m_fit.mesh.vertex(e, 1);
       lengths.push_back((m_fit.surface.points[v] - m_fit.surface.points[w]).norm());
-      const auto at = m_fit.features.edges.find({ (std::min)(v, w), (std::max)(v, w) });
+      const auto at = m_fit.features.edges.find(sorted(std::array<std::size_t, 2>{ v, w }));
       const bool is_on_curve = m_holds_features && at != m_fit.features.edges.end();
       if(is_on_curve ? at->second.curve->farthest_vertex(at->second.first, at->second.last).first > distance
                      : is_beyond(m_on_target, (m_fit.images[v] + m_fit.images[w]) / 2))

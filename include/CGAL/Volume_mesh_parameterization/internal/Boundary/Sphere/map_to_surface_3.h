@@ -112,7 +112,7 @@ inline void sort_pairs(std::vector<Surface_pair_3>& pairs)
   { return std::make_pair(!a.features.are_complete, a.distortion) < std::make_pair(!b.features.are_complete, b.distortion); });
 }
 
-// Returns the ways in which landmarks or axes turn the surface of a pair, those with less distortion first.
+// Returns the ways in which landmarks or axes turn the surface of a pair.
 inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
                                                 const bool have_features, const double epsilon, const Budget& budget)
 {
@@ -126,7 +126,6 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
     turn_to_landmarks_3(wanted, result.back().surface.directions);
     result.back().relax(number_of_sweeps, epsilon, budget);
   }
-  sort_pairs(result);
   return result;
 }
 
