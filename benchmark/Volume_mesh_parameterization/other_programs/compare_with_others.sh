@@ -15,7 +15,9 @@ IsoTLC duxingyi-charles/Constrained-Injective-Mappings f982767
 FFM ssloy/invertible-maps b3f2048
 ultimaille ssloy/ultimaille 7fd8c44
 ultimaille/ext/stlbfgs ssloy/stlbfgs 0a67abf
-VolumeFitting fprotais/Mesh_optimization e2aaad2"
+VolumeFitting fprotais/Mesh_optimization e2aaad2
+GalaxyMaps SteffenHinderink/GalaxyMaps 65d7697
+GalaxyMaps/ext/OpenVolumeMesh OpenVolumeMesh/OpenVolumeMesh b25ed99"
 
 # Prints the options of TLC, or of Isometric TLC, whose example says them. Both stop at the first valid map.
 options_of()
@@ -56,6 +58,11 @@ run() # PROGRAM SOURCE TARGET OUTPUT REFINED
       first=$(grep -m 1 -oP '^valid after \K\S+' "$work/log" || true)
       [ -z "$first" ] || seconds "$started" "$first"
       "$bin/convert_case" end "$work" "$work/result.mesh" "$4" ;;
+    GalaxyMaps)
+      "$bin/GalaxyMaps" "$work/source.vtk" "$work/start.vtk" -t -o "$work/result"
+      seconds "$EPOCHREALTIME"
+      "$bin/convert_case" copy "$work" "$work/result_object.vtk" "$5"
+      "$bin/convert_case" end "$work" "$work/result_parameter.vtk" "$4" ;;
   esac
 }
 
@@ -89,6 +96,11 @@ build() # in FOLDER
   mapfile -t libraries < <(find ultimaille/build -name '*.a')
   compile FFM -fopenmp -Iultimaille -Iultimaille/ext untangle3d.cpp -Wl,--start-group "${libraries[@]}" -Wl,--end-group
   compile VolumeFitting -IVolumeFitting "$(dirname "$here")/fit_volume.cpp"
+  if [ ! -x bin/GalaxyMaps ]; then
+    cmake -S GalaxyMaps -B GalaxyMaps/build -DGUI=OFF > /dev/null 2>&1
+    cmake --build GalaxyMaps/build > /dev/null 2>&1
+    ln -s ../GalaxyMaps/build/galaxy_map bin/GalaxyMaps
+  fi
 }
 
 if [ "$1" = run ]; then

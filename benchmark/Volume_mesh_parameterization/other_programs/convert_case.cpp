@@ -2,7 +2,7 @@
 //
 //   convert_case begin SOURCE TARGET FOLDER   writes rest.mesh, start.mesh, targets.txt, source.vtk, start.vtk, input (of TLC)
 //   convert_case end FOLDER RESULT OUTPUT     writes the mesh of RESULT, a file of TLC, MEDIT or VTK
-//   convert_case copy FOLDER RESULT OUTPUT    writes the mesh of VTK as it is
+//   convert_case copy FOLDER RESULT OUTPUT    writes the mesh of VTK as it is, but for the order of vertices
 //
 // The rest shape is the source, scaled to the volume of the start. The start is harmonic with the weight 1 for all edges.
 #include <CGAL/Volume_mesh_parameterization/IO/MEDIT_format.h>
@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -151,6 +152,31 @@ static VMP::Tetrahedron_soup_3 read_VTK(const std::string& filename)
   return soup;
 }
 
+// Reads a mesh of a program that splits cells. The vertices of the source come first, as before: the program may reorder them. Its
+// refined source result_object.vtk, which has their coordinates, tells the order.
+static VMP::Tetrahedron_soup_3 read_refined(const std::string& folder, const std::string& filename)
+{
+  VMP::Tetrahedron_soup_3 soup = read_VTK(filename);
+  std::map<std::array<double, 3>, std::size_t> number_of_point;
+  for(const auto& p : read_VTK(folder + "/source.vtk").points)
+    number_of_point.emplace(p, number_of_point.size());
+  std::size_t n = number_of_point.size();
+  std::vector<std::size_t> numbers;
+  for(const auto& p : read_VTK(folder + "/result_object.vtk").points)
+  {
+    const auto it = number_of_point.find(p);
+    numbers.push_back(it == number_of_point.end() ? n++ : it->second);
+  }
+  std::vector<std::array<double, 3> > points(n);
+  for(std::size_t v = 0; v < numbers.size(); ++v)
+    points.at(numbers[v]) = soup.points.at(v);
+  soup.points = std::move(points);
+  for(auto& cell : soup.cells)
+    for(std::size_t& v : cell)
+      v = numbers[v];
+  return soup;
+}
+
 static void write_input_of_TLC(const std::string& filename, const VMP::Tetrahedron_soup_3& rest,
                                const VMP::Tetrahedron_soup_3& start, const Targets& targets)
 {
@@ -204,7 +230,7 @@ static std::vector<std::array<double, 3> > positions_of_TLC(const std::string& f
 static void end(const std::string& folder, const std::string& result, const std::string& output)
 {
   const std::string suffix = result.substr(result.find_last_of("/."));
-  VMP::Tetrahedron_soup_3 soup = suffix == ".vtk" ? read_VTK(result) : read_mesh(folder + "/start.mesh");
+  VMP::Tetrahedron_soup_3 soup = suffix == ".vtk" ? read_refined(folder, result) : read_mesh(folder + "/start.mesh");
   if(suffix != ".vtk")
     soup.points = suffix == ".mesh" ? read_mesh(result).points : positions_of_TLC(result);
   const Targets targets = read_targets(folder + "/targets.txt");
@@ -229,7 +255,7 @@ int main(int argc, char** argv)
   if(argc != 5)
     return EXIT_FAILURE;
   if(argv[1] == std::string("copy"))
-    VMP::IO::write_MEDIT(argv[4], read_VTK(argv[3]));
+    VMP::IO::write_MEDIT(argv[4], read_refined(argv[2], argv[3]));
   else
     (argv[1] == std::string("begin") ? begin : end)(argv[2], argv[3], argv[4]);
   return EXIT_SUCCESS;
