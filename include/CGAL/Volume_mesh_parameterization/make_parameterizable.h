@@ -54,7 +54,7 @@ std::vector<Insertion_3> make_parameterizable_3(Body_3& body, const NamedParamet
     const Prescription_3 prescription = prescription_3<Vertex>(body, np, no_target, vertex);
     const std::vector<bool> is_prescribed = prescription.prescribed_points();
     const auto is_bad = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
-    return Simplex_removal_3(body, is_bad).run(budget);
+    return Simplex_removal_3(body, is_bad).run(is_prescribed, budget);
   }
   else
   {

@@ -545,7 +545,8 @@ TEST_CASE("Cells and marked facets of a soup keep their references where they ar
 
   internal::Body_3 body = internal::body_of(soup);
   const auto is_old = [](const internal::Simplex_3& s) { return *std::max_element(s.begin(), s.end()) < 27; };
-  const std::vector<internal::Insertion_3> inserted = internal::Simplex_removal_3(body, is_old).run(internal::Budget());
+  const std::vector<internal::Insertion_3> inserted
+    = internal::Simplex_removal_3(body, is_old).run(std::vector<bool>(27, true), internal::Budget());
   REQUIRE(inserted.size() > 8);
   VMP::Tetrahedron_soup_3 refined = soup;
   internal::insert_points(body, inserted, refined);

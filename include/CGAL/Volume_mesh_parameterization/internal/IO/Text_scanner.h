@@ -241,17 +241,21 @@ public:
 private:
   static bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
-  template <typename Integer>
-  static bool parse(const char* const first, const char* const last, Integer& number)
+  template <typename Number>
+  static bool parse(const char* const first, const char* const last, Number& number)
   {
     const std::from_chars_result result = std::from_chars(first, last, number);
     return result.ec == std::errc() && result.ptr == last;
   }
 
-  // Not every standard library has std::from_chars for numbers with a point. Streams read them by this facet, correctly
-  // rounded and whatever the global locale is.
+  // Not every standard library has std::from_chars for numbers with a point, and it refuses those that round to 0. Streams read
+  // them by this facet, correctly rounded and whatever the global locale is.
   static bool parse(const char* const first, const char* const last, double& number)
   {
+#ifdef __cpp_lib_to_chars
+    if(parse<double>(first, last, number) && std::isfinite(number))
+      return true;
+#endif
     struct Parser : std::num_get<char, const char*> {};
     struct Format : std::ios
     {

@@ -23,18 +23,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Marks the points of bridges. A bridge is an edge, facet or cell inside whose vertices are all prescribed, for instance across a
 // wall that is one cell thick. No map changes its image.
-inline std::vector<bool> points_of_bridges_3(Body_3& body, const std::vector<bool>& is_prescribed, const Budget& budget)
+inline std::vector<bool> points_of_bridges_3(const Body_3& body, const std::vector<bool>& is_prescribed, const Budget& budget)
 {
-  const Refinement_3 refinement(body);
   std::vector<bool> result(is_prescribed.size(), false);
-  for(std::size_t c = 0; c < body.cells.size() && !budget.is_exhausted(); ++c)
-    for_each_face(refinement.cell(c), [&](const Simplex_3& simplex)
-    {
-      if(is_prescribed_simplex(is_prescribed, simplex)
-         && refinement.is_interior(simplex, refinement.cells_around(simplex)))
-        for(const std::size_t p : simplex)
-          result[p] = true;
-    });
+  for_each_simplex_inside(body, Boundary_links_3(body), is_prescribed, budget, [&](const Simplex_3& simplex)
+  {
+    for(const std::size_t p : simplex)
+      result[p] = true;
+  });
   return result;
 }
 
@@ -56,11 +52,14 @@ inline Matrix3Xd start_of_search_3(const Numbered_mesh_3& mesh, Linear_solver_3&
 inline std::vector<Insertion_3> split_distorted_cells_3(Body_3& body, const Numbered_body_3& numbered, const Budget& budget)
 {
   std::set<Simplex_3> simplices;
+  std::vector<bool> has_distorted_cell(body.points.size(), false);
   for(const std::size_t c : distorted_prescribed_cells_3(numbered.mesh))
   {
     Simplex_3 cell;
     for(const int v : numbered.mesh.cells[c])
       cell.push_back(numbered.points[v]);
+    for(const std::size_t p : cell)
+      has_distorted_cell[p] = true;
     std::sort(cell.begin(), cell.end());
     for_each_face(cell, [&](const Simplex_3& face) { simplices.insert(face); });
   }
@@ -70,7 +69,7 @@ inline std::vector<Insertion_3> split_distorted_cells_3(Body_3& body, const Numb
     std::sort(ascending.begin(), ascending.end());
     return simplices.count(ascending) > 0;
   };
-  return Simplex_removal_3(body, is_distorted).run(budget);
+  return Simplex_removal_3(body, is_distorted).run(has_distorted_cell, budget);
 }
 
 // Splits all bridges if one has a vertex of a poor cell: of one that is inverted where the search starts, or of a distorted
@@ -100,7 +99,7 @@ inline std::vector<Insertion_3> split_bridges_3(Body_3& body, const Numbered_bod
      && !are_some_at_bridges(inverted_cells(mesh, start_of_search_3(mesh, solver, progress)).cells))
     return {};
   const auto is_bridge = [&](const Simplex_3& simplex) { return is_prescribed_simplex(is_prescribed, simplex); };
-  return Simplex_removal_3(body, is_bridge).run(progress.budget());
+  return Simplex_removal_3(body, is_bridge).run(is_prescribed, progress.budget());
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

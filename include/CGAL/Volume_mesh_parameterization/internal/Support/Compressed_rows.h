@@ -78,16 +78,27 @@ void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& 
   const std::size_t number_of_rows = *std::max_element(ends.begin(), ends.end());
   const Compressed_rows<std::size_t> rows(number_of_rows, n, [&](const std::size_t i, const auto& g) { g(row_of(i)); },
                                           is_parallel);
-  for_each_in_ranges(is_parallel, number_of_rows, rows_per_range, [&](const std::size_t row)
+  const auto is_before = [](const Pair& p, const Pair& q) // of a row, where the first vertices are the same
+  {
+    for(std::size_t i = 1; i < p.first.size(); ++i)
+      if(p.first[i] != q.first[i])
+        return p.first[i] < q.first[i];
+    return p.second < q.second;
+  };
+  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
   {
     std::vector<Pair> pairs;
-    for(std::size_t k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
-      pairs.push_back(pair_of(rows.items[k]));
-    std::sort(pairs.begin(), pairs.end());
-    for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
+    for(std::size_t row = first; row < last; ++row)
     {
-      end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
-      f(begin, end);
+      pairs.clear();
+      for(std::size_t k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
+        pairs.push_back(pair_of(rows.items[k]));
+      std::sort(pairs.begin(), pairs.end(), is_before);
+      for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
+      {
+        end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });
+        f(begin, end);
+      }
     }
   });
 }

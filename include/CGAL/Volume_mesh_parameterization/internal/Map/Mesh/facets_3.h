@@ -30,6 +30,14 @@ Simplex sorted(Simplex simplex)
   return simplex;
 }
 
+template <typename Vertex>
+std::array<Vertex, 3> sorted(const std::array<Vertex, 3>& facet)
+{
+  const auto& [u, v, w] = facet;
+  const Vertex low = (std::min)(u, v), high = (std::max)(u, v);
+  return { (std::min)(low, w), (std::max)(low, (std::min)(high, w)), (std::max)(high, w) };
+}
+
 // Calls `f(begin, end)` for each edge, with a pair for each of its facets: its vertices, the smaller first, and the corners
 // there, where corner k of facet i is 3 i + k.
 template <typename Vertex, typename Function>

@@ -13,6 +13,8 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Compressed_rows.h>
 
 #include <optional>
 #include <set>
@@ -40,6 +42,63 @@ void for_each_face(const Simplex_3& simplex, const Function& f)
         face.push_back(simplex[i]);
     if(face.size() >= 2)
       f(face);
+  }
+}
+
+// The facets of the boundary at each point. Splits inside leave them as they are.
+class Boundary_links_3
+{
+public:
+  explicit Boundary_links_3(const Body_3& body)
+    : m_facets(body.boundary), m_rows(body.points.size(), m_facets.size(), [&](const std::size_t f, const auto& add)
+      { std::for_each(m_facets[f].begin(), m_facets[f].end(), add); })
+  {}
+
+  // Does `f(edge)` hold for one of the edges that are opposite to a point in its facets?
+  template <typename Function>
+  bool any_of_link(const std::size_t v, const Function& f) const
+  {
+    if(v + 2 >= m_rows.begin.size())
+      return false; // a new point
+    for(std::size_t i = m_rows.begin[v]; i < m_rows.begin[v + 1]; ++i)
+    {
+      const auto& [p, q, r] = m_facets[m_rows.items[i]];
+      if(f(v == p ? Simplex_3{ q, r } : v == q ? Simplex_3{ r, p } : Simplex_3{ p, q }))
+        return true;
+    }
+    return false;
+  }
+
+  // Is an edge or facet on the boundary?
+  bool has(const Simplex_3& simplex) const
+  {
+    return any_of_link(simplex[0], [&](const Simplex_3& edge)
+    { return std::all_of(simplex.begin() + 1, simplex.end(), [&](const std::size_t v) { return contains(edge, v); }); });
+  }
+
+private:
+  const std::vector<std::array<std::size_t, 3> >& m_facets;
+  Compressed_rows<std::size_t> m_rows;
+};
+
+// Calls f for the edges, facets and cells inside that have marked points only, once for each of their cells.
+template <typename Function>
+void for_each_simplex_inside(const Body_3& body, const Boundary_links_3& boundary, const std::vector<bool>& is_marked,
+                             const Budget& budget, const Function& f)
+{
+  for(const std::array<std::size_t, 4>& cell : body.cells)
+  {
+    Simplex_3 marked;
+    std::copy_if(cell.begin(), cell.end(), std::back_inserter(marked), [&](const std::size_t v) { return is_marked[v]; });
+    if(marked.size() < 2)
+      continue;
+    if(budget.is_exhausted())
+      return;
+    for_each_face(marked, [&](const Simplex_3& simplex)
+    {
+      if(!boundary.has(simplex))
+        f(simplex);
+    });
   }
 }
 
@@ -107,12 +166,8 @@ class Refinement_3
 {
 public:
   explicit Refinement_3(Body_3& body)
-    : m_body(body), m_cells(body.cells, body.points.size()), m_edges(body.edges, body.points.size())
-  {
-    for(const auto& [u, v, w] : body.boundary)
-      m_boundary_edges.insert(m_boundary_edges.end(), { (std::minmax)(u, v), (std::minmax)(v, w), (std::minmax)(w, u) });
-    std::sort(m_boundary_edges.begin(), m_boundary_edges.end());
-  }
+    : m_body(body), m_cells(body.cells, body.points.size()), m_edges(body.edges, body.points.size()), m_boundary(body)
+  {}
 
   std::vector<std::size_t> cells_around(const Simplex_3& simplex) const { return m_cells.around(simplex); }
 
@@ -123,8 +178,7 @@ public:
   {
     switch(simplex.size())
     {
-      case 2: return !cells.empty() && !std::binary_search(m_boundary_edges.begin(), m_boundary_edges.end(),
-                                                           Edge((std::minmax)(simplex[0], simplex[1])));
+      case 2: return !cells.empty() && !m_boundary.has(simplex);
       case 3: return cells.size() == 2;
       default: return !cells.empty();
     }
@@ -161,8 +215,6 @@ public:
   }
 
 private:
-  using Edge = std::pair<std::size_t, std::size_t>; // the smaller one first
-
   Exact_point_3 point(const std::size_t v) const { return exact_point(m_body.points[v]); }
 
   // Sets weights of a point that can become a vertex, as all cells it makes are positive after rounding: of the centroid, or else
@@ -205,7 +257,7 @@ private:
   Body_3& m_body;
   Incident_simplices_3<4> m_cells;
   Incident_simplices_3<2> m_edges;
-  std::vector<Edge> m_boundary_edges;
+  Boundary_links_3 m_boundary;
 };
 
 // Splits the interior edges among the given pairs of points, longest first. Pairs that are no interior edge are ignored.

@@ -28,7 +28,7 @@ inline bool is_prescribed_simplex(const std::vector<bool>& is_prescribed, const 
   { return v < is_prescribed.size() && is_prescribed[v]; });
 }
 
-// Tells which simplices no map with these targets can map well. There are three kinds:
+// Tells which simplices inside no map with these targets can map well. There are three kinds:
 // - conditions keep the vertices of a cell in a plane, or those of an edge or facet in the plane of a facet of the boundary;
 // - the image, the hull of the targets of the vertices, is degenerate, or inverted for a cell;
 // - the image begins in that of the boundary though cells lie all around the simplex, as an edge between two vertices of a side of
@@ -40,12 +40,10 @@ public:
   Degenerate_simplices_3(const Body_3& body, const std::vector<bool>& is_prescribed,
                          const std::vector<std::array<double, 3> >& targets,
                          const std::vector<Vertex_condition_3>& conditions)
-    : m_is_prescribed(is_prescribed), m_targets(targets), m_conditions(conditions), m_links(is_prescribed.size())
-  {
-    for(const std::array<std::size_t, 3>& facet : body.boundary)
-      for(std::size_t i = 0; i < 3; ++i)
-        m_links[facet[i]].push_back({ facet[(i + 1) % 3], facet[(i + 2) % 3] });
-  }
+    : m_is_prescribed(is_prescribed), m_targets(targets), m_conditions(conditions), m_boundary(body),
+      m_is_one_moving(std::any_of(conditions.begin(), conditions.end(), [](const Vertex_condition_3& condition)
+      { return condition.dimension() < 3 && !is_at_target_first(condition); }))
+  {}
 
   bool operator()(const Simplex_3& simplex) const
   {
@@ -73,7 +71,8 @@ private:
   template <typename Points>
   bool is_kept_in_plane(const Points& points) const
   {
-    return std::all_of(points.begin(), points.end(), [&](const std::size_t v) { return v < m_conditions.size(); })
+    return m_is_one_moving
+      && std::all_of(points.begin(), points.end(), [&](const std::size_t v) { return v < m_conditions.size(); })
       && are_kept_in_one_plane(points, [&](const std::size_t v) { return projector_3(m_conditions[v]); },
                                [&](const std::size_t v) { return to_vector(m_targets[v]); });
   }
@@ -83,7 +82,7 @@ private:
   {
     return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
     {
-      return std::any_of(m_links[v].begin(), m_links[v].end(), [&](const Simplex_3& edge)
+      return m_boundary.any_of_link(v, [&](const Simplex_3& edge)
       {
         boost::container::static_vector<std::size_t, 5> points(simplex.begin(), simplex.end());
         points.insert(points.end(), edge.begin(), edge.end());
@@ -92,17 +91,14 @@ private:
     });
   }
 
-  // Returns whether the image begins in that of the boundary at one of the vertices. Simplices of the boundary do not count.
+  // Returns whether the image begins in that of the boundary at one of the vertices.
   bool begins_in_boundary(const Simplex_3& simplex) const
   {
     return std::any_of(simplex.begin(), simplex.end(), [&](const std::size_t v)
     {
-      const std::vector<Simplex_3>& link = m_links[v]; // none if it is constrained, but inside
       Simplex_3 other_points;
       std::copy_if(simplex.begin(), simplex.end(), std::back_inserter(other_points), [v](const std::size_t w) { return w != v; });
-      const auto is_face = [&](const Simplex_3& edge) { return contains(edge, other_points); };
-      return std::none_of(link.begin(), link.end(), is_face)
-        && std::any_of(link.begin(), link.end(), [&](const Simplex_3& edge)
+      return m_boundary.any_of_link(v, [&](const Simplex_3& edge) // none if it is constrained, but inside
       {
         return other_points.size() == 1 ? is_in_angle(v, edge, other_points[0])
                                         : is_in_angle(v, other_points, edge[0]) && is_in_angle(v, other_points, edge[1]);
@@ -122,7 +118,8 @@ private:
   const std::vector<bool>& m_is_prescribed;
   const std::vector<std::array<double, 3> >& m_targets;
   const std::vector<Vertex_condition_3>& m_conditions;
-  std::vector<std::vector<Simplex_3> > m_links; // in the boundary, as edges
+  Boundary_links_3 m_boundary;
+  bool m_is_one_moving; // Does a condition let a point move in a plane or on a line?
 };
 
 // Removes bad interior edges, facets and cells from a body by the insertion of few points.
@@ -134,15 +131,23 @@ template <typename IsBad>
 class Simplex_removal_3
 {
 public:
-  Simplex_removal_3(Body_3& body, const IsBad& is_bad) : m_body(body), m_is_bad(is_bad), m_refinement(body) {}
+  Simplex_removal_3(Body_3& body, const IsBad& is_bad) : m_body(body), m_is_bad(is_bad) {}
 
-  // If the budget does not suffice to find all bad simplices, nothing is inserted.
-  std::vector<Insertion_3> run(const Budget& budget)
+  // All points of bad simplices are marked. If the budget does not suffice to find all of these, nothing is inserted.
+  std::vector<Insertion_3> run(const std::vector<bool>& is_marked, const Budget& budget)
   {
-    for(std::size_t c = 0; c < m_body.cells.size() && !budget.is_exhausted(); ++c)
-      collect_candidates(m_refinement.cell(c));
-
+    std::vector<Simplex_3> bad;
+    for_each_simplex_inside(m_body, Boundary_links_3(m_body), is_marked, budget, [&](const Simplex_3& simplex)
+    {
+      if(m_is_bad(simplex))
+        bad.push_back(simplex);
+    });
     std::vector<Insertion_3> result;
+    if(bad.empty())
+      return result;
+    m_refinement.emplace(m_body);
+    for(const Simplex_3& simplex : bad)
+      for_each_face(simplex, [&](const Simplex_3& face) { add_candidate(face); });
     while(!m_queue.empty() && !budget.is_exhausted())
     {
       Candidate candidate = m_queue.top();
@@ -156,7 +161,7 @@ public:
         m_queue.push(candidate);
         continue;
       }
-      if(const std::optional<Insertion_3> insertion = m_refinement.insert(candidate.simplex))
+      if(const std::optional<Insertion_3> insertion = m_refinement->insert(candidate.simplex))
         result.push_back(*insertion);
     }
     return result;
@@ -179,34 +184,22 @@ private:
     }
   };
 
-  bool is_interior(const Simplex_3& simplex) const
-  { return m_refinement.is_interior(simplex, m_refinement.cells_around(simplex)); }
-
-  void collect_candidates(const Simplex_3& cell)
-  {
-    for_each_face(cell, [&](const Simplex_3& simplex)
-    {
-      if(m_is_bad(simplex) && is_interior(simplex))
-        for_each_face(simplex, [&](const Simplex_3& face) { add_candidate(face); });
-    });
-  }
-
   void add_candidate(const Simplex_3& simplex)
   {
     Simplex_3 sorted = simplex;
     std::sort(sorted.begin(), sorted.end());
-    if(!m_known.insert(sorted).second || !is_interior(simplex))
+    if(!m_known.insert(sorted).second || !m_refinement->is_interior(simplex, m_refinement->cells_around(simplex)))
       return;
     const bool is_bad_edge = simplex.size() == 2 && m_is_bad(simplex);
-    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), m_refinement.squared_size(simplex), m_queue.size() });
+    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), m_refinement->squared_size(simplex), m_queue.size() });
   }
 
   // The number of bad simplices that contain a candidate, counted in each cell around it.
   std::size_t count_bad(const Simplex_3& simplex) const
   {
     std::size_t count = 0;
-    for(const std::size_t c : m_refinement.cells_around(simplex))
-      for_each_face(m_refinement.cell(c), [&](const Simplex_3& face)
+    for(const std::size_t c : m_refinement->cells_around(simplex))
+      for_each_face(m_refinement->cell(c), [&](const Simplex_3& face)
       {
         if(contains(face, simplex) && m_is_bad(face))
           ++count;
@@ -214,9 +207,9 @@ private:
     return count;
   }
 
-  const Body_3& m_body;
+  Body_3& m_body;
   const IsBad& m_is_bad;
-  Refinement_3 m_refinement;
+  std::optional<Refinement_3> m_refinement; // only if there are bad simplices
   std::set<Simplex_3> m_known; // all that ever were candidates, so that none comes twice
   std::priority_queue<Candidate> m_queue;
 };
@@ -227,7 +220,7 @@ inline std::vector<Insertion_3> remove_degenerate_simplices(Body_3& body, const 
 {
   const std::vector<bool> is_fixed = prescription.fixed_points();
   const Degenerate_simplices_3 is_bad(body, is_fixed, prescription.targets, prescription.conditions);
-  return Simplex_removal_3(body, is_bad).run(budget);
+  return Simplex_removal_3(body, is_bad).run(prescription.prescribed_points(), budget);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
