@@ -26,11 +26,14 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline std::vector<Boundary_mesh_3::Face_index> turned_facets(const Boundary_mesh_3& mesh, const Triangulated_surface_3& surface)
 {
   const auto normal = [&](const Vector_3& p) { return to_vector(surface.nearest_point(coordinates(p)).direction); };
+  std::vector<Vector_3> normals(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
+  for(const Boundary_mesh_3::Vertex_index v : mesh.vertices())
+    normals[v] = normal(to_vector(mesh.point(v)));
   const auto is_turned = [&](const Boundary_mesh_3::Face_index f)
   {
     const auto [a, b, c] = vertices_of_face(mesh, f);
     const Vector_3 p = to_vector(mesh.point(a)), q = to_vector(mesh.point(b)), r = to_vector(mesh.point(c));
-    return is_turned_3({ p, q, r }, { normal(p), normal(q), normal(r) }, [&](const Vector_3& center)
+    return is_turned_3({ p, q, r }, { normals[a], normals[b], normals[c] }, [&](const Vector_3& center)
     {
       const Vector_3 n = normal(center);
       return Matrix_3(n, n, n);
