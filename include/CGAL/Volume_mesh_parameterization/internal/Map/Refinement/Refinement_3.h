@@ -58,25 +58,29 @@ public:
   template <typename Function>
   bool any_of_link(const std::size_t v, const Function& f) const
   {
-    if(v + 2 >= m_rows.begin.size())
-      return false; // a new point
-    for(std::size_t i = m_rows.begin[v]; i < m_rows.begin[v + 1]; ++i)
+    return any_of_facets(v, [&](const auto& facet)
     {
-      const auto& [p, q, r] = m_facets[m_rows.items[i]];
-      if(f(v == p ? Simplex_3{ q, r } : v == q ? Simplex_3{ r, p } : Simplex_3{ p, q }))
-        return true;
-    }
-    return false;
+      const auto& [p, q, r] = facet;
+      return f(v == p ? Simplex_3{ q, r } : v == q ? Simplex_3{ r, p } : Simplex_3{ p, q });
+    });
   }
 
   // Is an edge or facet on the boundary?
   bool has(const Simplex_3& simplex) const
-  {
-    return any_of_link(simplex[0], [&](const Simplex_3& edge)
-    { return std::all_of(simplex.begin() + 1, simplex.end(), [&](const std::size_t v) { return contains(edge, v); }); });
-  }
+  { return any_of_facets(simplex[0], [&](const auto& facet) { return contains(facet, simplex); }); }
 
 private:
+  template <typename Function>
+  bool any_of_facets(const std::size_t v, const Function& f) const
+  {
+    if(v + 2 >= m_rows.begin.size())
+      return false; // a new point
+    for(std::size_t i = m_rows.begin[v]; i < m_rows.begin[v + 1]; ++i)
+      if(f(m_facets[m_rows.items[i]]))
+        return true;
+    return false;
+  }
+
   const std::vector<std::array<std::size_t, 3> >& m_facets;
   Compressed_rows<std::size_t> m_rows;
 };

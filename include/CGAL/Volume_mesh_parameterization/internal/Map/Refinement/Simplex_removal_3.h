@@ -110,9 +110,24 @@ private:
   bool is_in_angle(const std::size_t v, const Simplex_3& edge, const std::size_t w) const
   {
     const Exact_point_3 p = target(v), q = target(edge[0]), r = target(edge[1]), s = target(w);
-    return is_finite_point(q) && is_finite_point(r) && is_finite_point(s) && CGAL::coplanar(p, q, r, s)
-      && !CGAL::collinear(p, q, r) && CGAL::coplanar_orientation(p, q, r, s) != CGAL::NEGATIVE
+    return is_finite_point(q) && is_finite_point(r) && is_finite_point(s) && !is_clearly_outside(p, q, r, s)
+      && CGAL::coplanar(p, q, r, s) && !CGAL::collinear(p, q, r) && CGAL::coplanar_orientation(p, q, r, s) != CGAL::NEGATIVE
       && CGAL::coplanar_orientation(p, r, q, s) != CGAL::NEGATIVE;
+  }
+
+  // Spares exact arithmetic where rounding cannot matter.
+  static bool is_clearly_outside(const Exact_point_3& p, const Exact_point_3& q, const Exact_point_3& r, const Exact_point_3& s)
+  {
+    constexpr double rounding = 1e-20; // the square of a bound far above the errors of the products
+    const auto vector = [&](const Exact_point_3& to) { return Vector_3(to.x() - p.x(), to.y() - p.y(), to.z() - p.z()); };
+    const Vector_3 a = vector(q), b = vector(r), c = vector(s), n = a.cross(b);
+    const auto is_clear = [&](const double x, const double square) { return x * x > rounding * square * n.squaredNorm(); };
+    const auto is_behind = [&](const Vector_3& x, const Vector_3& y)
+    {
+      const double product = x.cross(y).dot(n);
+      return product < 0 && is_clear(product, x.squaredNorm() * y.squaredNorm());
+    };
+    return is_clear(c.dot(n), c.squaredNorm()) || is_behind(a, c) || is_behind(c, b);
   }
 
   const std::vector<bool>& m_is_prescribed;
