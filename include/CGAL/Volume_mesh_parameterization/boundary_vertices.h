@@ -51,7 +51,7 @@ template <typename C3t3>
 std::vector<typename C3t3::Vertex_handle> boundary_vertices(const C3t3& c3t3)
 {
   const internal::Body_of_complex_3<C3t3> body(c3t3);
-  return internal::handles_of(body, internal::surface_of(body).vertices);
+  return internal::handles_of(body, internal::Numbered_points(body.boundary, body.points.size()).points);
 }
 
 /*!
@@ -63,7 +63,10 @@ returns the points on the boundary of a mesh that is given by arrays, as indices
 */
 template <typename PointRange, typename CellRange, typename = internal::If_range<PointRange> >
 std::vector<std::size_t> boundary_vertices(const PointRange& points, const CellRange& cells)
-{ return internal::surface_of(internal::body_of(points, cells)).vertices; }
+{
+  const internal::Body_3 body = internal::body_of(points, cells);
+  return internal::Numbered_points(body.boundary, body.points.size()).points;
+}
 
 /*!
 \ingroup PkgVolumeMeshParameterizationFunctions

@@ -215,18 +215,19 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
   const std::vector<std::size_t> first = internal::first_coinciding_cells(soup.cells,
                                                                              internal::is_parallel<ConcurrencyTag>());
   const std::size_t n = soup.cells.size();
-  std::vector<std::set<int> > references(n);
   std::vector<std::size_t> kept, repeated;
-  std::size_t number_of_references = 1;
   for(std::size_t c = 0; c < n; ++c)
-  {
     (first[c] == c ? kept : repeated).push_back(c);
+  if(repeated.empty())
+    return first;
+  std::vector<std::set<int> > references(n);
+  std::size_t number_of_references = 1;
+  for(const std::size_t c : repeated)
+  {
     if(soup.cell_references[c] != soup.cell_references[first[c]])
       references[first[c]].insert(soup.cell_references[c]);
     number_of_references = (std::max)(number_of_references, 1 + references[first[c]].size());
   }
-  if(repeated.empty())
-    return first;
   for(std::size_t i = 2; i <= number_of_references; ++i)
   {
     soup.cell_data.push_back({ internal::name_of_reference(i), 1, true, std::vector<double>(n, 0) });

@@ -70,13 +70,11 @@ template <typename PairOf, typename Function>
 void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& f, const bool is_parallel = false)
 {
   using Pair = std::decay_t<decltype(pair_of(0))>;
-  constexpr int rows_per_range = 1024, indices_per_range = 1 << 16; // guesses
-  const auto row_of = [&](const std::size_t i) { return static_cast<std::size_t>(pair_of(i).first[0]); };
-  std::vector<std::size_t> ends(n / indices_per_range + 1, 0);
-  for_each_in_ranges(is_parallel, n, indices_per_range, [&](const std::size_t i)
-  { ends[i / indices_per_range] = (std::max)(ends[i / indices_per_range], row_of(i) + 1); });
-  const std::size_t number_of_rows = *std::max_element(ends.begin(), ends.end());
-  const Compressed_rows<std::size_t> rows(number_of_rows, n, [&](const std::size_t i, const auto& g) { g(row_of(i)); },
+  constexpr int rows_per_range = 1024; // a guess
+  const std::vector<int> rows_of
+    = values_of_indices(is_parallel, n, [&](const std::size_t i) { return static_cast<int>(pair_of(i).first[0]); });
+  const int number_of_rows = n == 0 ? 0 : *std::max_element(rows_of.begin(), rows_of.end()) + 1;
+  const Compressed_rows<std::size_t> rows(number_of_rows, n, [&](const std::size_t i, const auto& g) { g(rows_of[i]); },
                                           is_parallel);
   const auto is_before = [](const Pair& p, const Pair& q) // of a row, where the first vertices are the same
   {
@@ -85,10 +83,10 @@ void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& 
         return p.first[i] < q.first[i];
     return p.second < q.second;
   };
-  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const std::size_t first, const std::size_t last)
+  for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const int first, const int last)
   {
     std::vector<Pair> pairs;
-    for(std::size_t row = first; row < last; ++row)
+    for(int row = first; row < last; ++row)
     {
       pairs.clear();
       for(std::size_t k = rows.begin[row]; k < rows.begin[row + 1]; ++k)

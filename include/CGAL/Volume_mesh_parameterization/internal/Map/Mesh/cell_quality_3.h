@@ -28,11 +28,11 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// Computes all from the six lengths and the four normals. The cotangent of an angle falls with it, hence arcs are computed
-// only of the smallest and of the largest angle.
+// Computes all from the six lengths and the four normals. Has minus the cotangent of an angle, which grows with it, in place of
+// the angle: arcs are computed only of the smallest and of the largest angle of all cells.
 inline Cell_quality_3 quality_of_cell(const std::array<Vector_3, 4>& p)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity(), degrees = 180 / 3.14159265358979323846;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<Vector_3, 4> normals; // as long as twice the area of the facet
   double area = 0, longest = 0, smallest_cotangent = infinity, largest_cotangent = -infinity;
   for(int i = 0; i < 4; ++i)
@@ -57,7 +57,7 @@ inline Cell_quality_3 quality_of_cell(const std::array<Vector_3, 4>& p)
     }
   const double radius = determinant / 2 / area; // three times the volume by the area
   const auto [shortest_lengths, longest_lengths] = std::minmax_element(lengths.begin(), lengths.end());
-  return { degrees * std::atan2(1, largest_cotangent), degrees * std::atan2(1, smallest_cotangent),
+  return { -largest_cotangent, -smallest_cotangent,
            (std::min)(1., std::sqrt(2.) * determinant / *(determinant < 0 ? shortest_lengths : longest_lengths)),
            (std::max)(1., longest / (2 * std::sqrt(6.) * radius)) };
 }
@@ -72,7 +72,13 @@ inline Cell_quality_3 worse(const Cell_quality_3& a, const Cell_quality_3& b)
 
 // Returns the worst of all qualities; for none, what no cell is better than.
 inline Cell_quality_3 worst_quality(const std::vector<Cell_quality_3>& of_cells)
-{ return std::accumulate(of_cells.begin(), of_cells.end(), Cell_quality_3{ 180, 0, 1, 1 }, worse); }
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity(), degrees = 180 / 3.14159265358979323846;
+  Cell_quality_3 result = std::accumulate(of_cells.begin(), of_cells.end(), Cell_quality_3{ infinity, -infinity, 1, 1 }, worse);
+  for(double* const angle : { &result.minimum_dihedral_angle, &result.maximum_dihedral_angle })
+    *angle = degrees * std::atan2(1, -*angle);
+  return result;
+}
 
 // Returns the distortion of a cell; `source(i)` and `image(i)` return the points of its vertices.
 template <typename Source, typename Image>
