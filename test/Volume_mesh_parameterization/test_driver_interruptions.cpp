@@ -144,6 +144,20 @@ TEST_CASE("An interruption, or the time limit, ends each part of the program")
   }
 }
 
+TEST_CASE("Who interrupts splits of a fitted boundary gets the map to the boundary so far")
+{
+  const Folder folder;
+  folder.write("source.mesh", cube(2));
+  folder.write("octahedron.off", "OFF\n6 8 0\n3 0 0\n-3 0 0\n0 2 0\n0 -2 0\n0 0 2\n0 0 -2\n3 0 2 4\n3 2 1 4\n3 1 3 4\n"
+                                 "3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n");
+  Terminal terminal(folder, "source.mesh --to octahedron.off --tolerance 1e-9 -o map.mesh");
+  REQUIRE(terminal.waits_for("(splits of a fitted boundary), round"));
+  terminal.interrupt();
+  CHECK(terminal.waits_for("Interrupted. The map is valid, but may be farther from its target than --tolerance"));
+  CHECK(terminal.exit_code() == 0);
+  CHECK(folder.soup("map.mesh").points.size() >= cube(2).points.size());
+}
+
 TEST_CASE("The line on a terminal moves with the boundary and with hexahedra")
 {
   const Folder folder;

@@ -24,7 +24,7 @@ public:
   /// through, and no image is then written.
   ///
   /// \return `false` to end the computation with the status `ERROR_INTERRUPTED`. The current map is written if no cell is
-  ///         inverted.
+  ///         inverted. In `Phase::SPLITS`, only this phase ends, and the map to the boundary so far is found.
   ///
   /// The call should take little time compared with a step, which is linear in the number of cells.
   bool after_step(const CGAL::Volume_mesh_parameterization::Parameterization_step& step);

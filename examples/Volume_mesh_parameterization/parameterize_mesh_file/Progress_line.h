@@ -67,6 +67,11 @@ public:
       m_seconds_of_time = time;
       std::cerr << "\r\033[K" << m_text << ", " << std::lround(time) << " s" << std::flush;
     }
+    if(is_end_requested != 0 && m_phase == VMP::Phase::SPLITS) // which end alone
+    {
+      is_end_requested = 0;
+      return false;
+    }
     return is_end_requested == 0 && time < m_time_limit;
   }
 
@@ -77,10 +82,11 @@ public:
 
   bool after_step(const VMP::Parameterization_step& step)
   {
+    m_phase = step.phase;
     std::ostringstream text;
     if(step.kind == VMP::Step_kind::ROUND)
     {
-      text << (step.phase == VMP::Phase::BOUNDARY ? "mapping the boundary" : "making hexahedra") << " (" << step.attempt
+      text << (step.phase == VMP::Phase::HEXAHEDRA ? "making hexahedra" : "mapping the boundary") << " (" << step.attempt
            << "), round " << step.iteration;
       show(text.str());
       return goes_on();
@@ -97,7 +103,7 @@ public:
   // Returns the reason for which the computation was ended.
   static const char* reason()
   {
-    return is_end_requested != 0 ? "Interrupted." : "The time limit was reached.";
+    return is_interrupted != 0 ? "Interrupted." : "The time limit was reached.";
   }
 
   void finish() const { show(""); }
@@ -114,12 +120,13 @@ private:
       signal(number, SIG_DFL);
       raise(number);
     }
-    is_end_requested = 1;
+    is_end_requested = is_interrupted = 1;
   }
 
-  static inline volatile sig_atomic_t is_end_requested = 0;
+  static inline volatile sig_atomic_t is_end_requested = 0, is_interrupted = 0;
 
   bool m_is_shown;
+  VMP::Phase m_phase = VMP::Phase::START; // of the last step
   mutable std::string m_text;
   mutable double m_seconds_of_text = 0, m_seconds_of_time = 0; // when it was shown first, and the time after it last
   double m_time_limit; // in seconds, from the beginning of the program

@@ -208,7 +208,9 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
     result.message += " Interior vertices have targets, too; --inside free ignores them.";
   if(result.status == VMP::ERROR_INTERRUPTED)
     result.message = std::string(Progress_line::reason())
-      + (result.has_valid_map ? " The map is valid, but the energy is not minimal yet."
+      + (result.has_valid_map ? std::isfinite(options.tolerance)
+           ? " The map is valid, but may be farther from its target than --tolerance, or the energy is not minimal yet."
+           : " The map is valid, but the energy is not minimal yet."
          : is_boundary_mapped ? " There is no map without inverted cells yet." : " There is no map yet.");
 }
 

@@ -176,6 +176,8 @@ enum class Phase
 {
   START,       ///< before the first step
   BOUNDARY,    ///< a boundary parameterizer finds the images of the boundary
+  /// edges of a fitted boundary are split. Who ends this phase ends it alone: the map to the boundary so far is found
+  SPLITS,
   UNTANGLING,  ///< cells are inverted, and an energy that is finite for them is minimized
   MINIMIZATION, ///< no cell is inverted, and the energy is minimized
   HEXAHEDRA    ///< `make_hexahedral_mesh_3()` improves hexahedra

@@ -104,9 +104,11 @@ private:
     const Error_code status = internal::map_to_surface_3(surface, m_target, m_landmarks, tolerance, fitted, budget);
     if(budget.is_exhausted()) // then the status does not matter
       return ERROR_INTERRUPTED;
-    if(status == OK)
-      boundaries.push_back(this->mapped_boundary(body, surface, fitted.splits, fitted.images));
-    return status;
+    if(status != OK)
+      return status;
+    boundaries.push_back(this->mapped_boundary(body, surface, fitted.splits, fitted.images));
+    boundaries.back().is_complete = fitted.is_complete;
+    return OK;
   }
 
   internal::Numbered_surface_3 m_target;

@@ -30,6 +30,7 @@ struct Mapped_boundary_3
   std::vector<std::array<double, 3> > targets;     // of all points; those of points inside are not numbers
   std::array<std::array<double, 3>, 3> rotation = {}; // rows of the one into the axes of a polycube
   std::string strategy = {};                          // that found it, if there are several
+  bool is_complete = true;                            // or was a phase ended that would make it better?
 };
 
 // Base of all models of `BoundaryParameterizer_3`: `Model::map(surface, given, images, budget)` finds the images. The

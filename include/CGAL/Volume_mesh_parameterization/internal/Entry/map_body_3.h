@@ -102,6 +102,11 @@ Body_map_3 map_body_3(Body_3& body, const NamedParameters& np, const Targets_to_
       Mapped_body_3 mapped = map_to_boundaries_3(std::move(body), prescription, boundaries, problem);
       body = std::move(mapped.body);
       store_result(*mapped.boundary);
+      if(Parameterization_result& result = mapped.map.result; result.status == OK && !mapped.boundary->is_complete)
+      {
+        result.status = ERROR_INTERRUPTED;
+        result.message = get_error_message(ERROR_INTERRUPTED);
+      }
       return std::move(mapped.map);
     }
   store_result(boundaries.front());

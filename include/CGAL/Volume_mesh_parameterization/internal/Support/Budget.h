@@ -78,6 +78,19 @@ public:
     return result;
   }
 
+  // Returns a budget of a part of the time that is left for a phase with a result at any time. Who ends the phase ends it alone.
+  Budget of_phase(const Phase phase, const double fraction) const
+  {
+    Budget result = part(fraction);
+    result.m_may_continue = m_may_continue;
+    result.m_after_step = [after_step = m_after_step, phase](Parameterization_step step)
+    {
+      step.phase = phase;
+      return after_step(step);
+    };
+    return result;
+  }
+
 private:
   struct State
   {

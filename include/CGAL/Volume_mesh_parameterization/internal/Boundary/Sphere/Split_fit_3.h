@@ -102,7 +102,7 @@ private:
   {
     const Fit before = m_fit;
     const std::ptrdiff_t n = static_cast<std::ptrdiff_t>(m_fit.images.size());
-    while(!edges.empty())
+    while(!edges.empty() && !budget.is_exhausted())
     {
       split(edges);
       std::vector<bool> is_spoilt = are_spoilt(m_fit.images);

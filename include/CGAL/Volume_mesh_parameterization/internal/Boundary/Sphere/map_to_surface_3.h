@@ -168,6 +168,7 @@ struct Fitted_surface_3
 {
   std::vector<Vector_3> images = {};
   std::vector<std::array<std::size_t, 2> > splits = {};
+  bool is_complete = true; // or were the splits ended?
 };
 
 // Maps a triangulated sphere onto another one, such that no facet intersects another one or is turned over. Splits edges where the
@@ -234,7 +235,9 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   if(best.images.empty())
     return ERROR_BOUNDARY_NOT_FITTED;
   Split_fit_3 fit(best, mesh, triangulated);
-  if(std::isfinite(tolerance) && !fit.split(tolerance / size, budget))
+  const Budget budget_of_splits = budget.of_phase(Phase::SPLITS, 0.5); // a guess; the map needs time, too
+  result.is_complete = !std::isfinite(tolerance) || fit.split(tolerance / size, budget_of_splits);
+  if(!result.is_complete && !budget_of_splits.is_exhausted())
     return ERROR_FIT_TOLERANCE_NOT_REACHED;
   for(const Vector_3& p : fit.images())
     result.images.push_back(size * p);
