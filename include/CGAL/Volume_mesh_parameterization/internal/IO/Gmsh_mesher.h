@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
 
 #include <cctype>
 
@@ -278,7 +279,25 @@ inline std::size_t load_enclosed(const Tetrahedron_soup_3& surface, const bool i
   return shells.size();
 }
 
-// Fills a closed surface with new triangles on it. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
+// Throws if a surface crosses itself, and names a place.
+inline void require_no_crossing(const Tetrahedron_soup_3& surface)
+{
+  Matrix3Xd points(3, surface.points.size());
+  for(std::size_t v = 0; v < surface.points.size(); ++v)
+    points.col(static_cast<int>(v)) = Eigen::Vector3d(to_vector(surface.points[v]));
+  std::vector<Self_intersection_3::Facet> facets;
+  for(const auto& [u, v, w] : surface.facets)
+    facets.push_back({ static_cast<int>(u), static_cast<int>(v), static_cast<int>(w) });
+  const auto pairs = Self_intersection_3(points, facets).find(Budget(), 1);
+  if(pairs.empty())
+    return;
+  const auto& [u, v, w] = surface.facets[pairs[0].first];
+  const Vector_3 middle = (to_vector(surface.points[u]) + to_vector(surface.points[v]) + to_vector(surface.points[w])) / 3;
+  throw Input_error("the surface crosses itself near " + describe(middle)
+                    + ". Unite the solids that cross there in a CAD program, or save each of them in a file of its own");
+}
+
+// Fills a closed surface with new triangles on it, unless parts of it cross each other. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
 // that Gmsh returns are left out, as they are not those of the user.
 inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_attempt& attempt)
 {
@@ -299,14 +318,21 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
         result.notes.push_back("the surface encloses " + std::to_string(number_of_bodies) + " bodies, which become one mesh. "
                                "Polycubes of bodies stand side by side; all other targets need a file for each body");
       return result;
-    }, "; the surface must enclose bodies, with or without cavities, and must not touch or cross itself. Bodies that cross or "
-       "touch need files of their own, or their union in a CAD program");
+    }, "; the surface must enclose bodies, with or without cavities, and must not touch itself. Bodies that touch need files of "
+       "their own, or their union in a CAD program");
   };
+  if(components(surface.facets).size() > 1)
+    require_no_crossing(surface);
   if(!attempt.is_second)
     try { return filled(true); }
     catch(const Input_error&) {}
   surface.notes.push_back("Gmsh makes no new triangles on this surface. The tetrahedra have the triangles of the file");
-  return filled(false);
+  try { return filled(false); }
+  catch(const Input_error&)
+  {
+    require_no_crossing(surface);
+    throw;
+  }
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
