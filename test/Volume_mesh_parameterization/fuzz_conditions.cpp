@@ -317,33 +317,45 @@ private:
     }
   }
 
-  // Slides on a part of the boundary as it is, and there in planes or on quadrics. The vertices begin on it, or beyond its border.
+  // Slides on a part of the boundary as it is, and there in planes or on quadrics, which pass through the vertices. These begin on
+  // it, or beyond its border.
   void slide_on_intersection(Random& random, Facets facets)
   {
     facets.resize(1 + facets.size() / (1 + random.below(3)));
     m_triangles = facets;
     m_points = m_soup.points;
     const VMP::Any_surface_3 patch = VMP::Triangulated_surface_3(m_points, facets);
-    const double radius = size() * random.pick({0.3, 0.9, 3.});
-    m_quadric = { (m_low + m_high) / 2, Vector3d(1, random.pick({0.5, 1.}), random.pick({0., 1.})) / (radius * radius) };
-    for(const std::size_t v : vertices_of(facets))
+    std::map<std::size_t, Vector3d> edges; // along the patch: surfaces that are orthogonal to them do not only touch the patch
+    for(const auto& [u, v, w] : facets)
+      for(const auto& [a, b] : { std::pair(u, v), std::pair(v, w), std::pair(w, u) })
+        edges[a] = vector(m_points[b]) - vector(m_points[a]);
+    const Vector3d factors(1, random.pick({0.5, 1.}), random.pick({0.1, 1.}));
+    const double largest_shift = size() * random.pick({0., 0., 0.001, 0.02, 0.1});
+    const std::size_t part_on_curves = random.pick({2, 10, 50});
+    const bool do_others_stay = !random.one_in(4);
+    for(std::size_t v = 0; v < m_targets.size(); ++v)
+      if(do_others_stay && !std::isnan(m_targets[v][0]))
+        m_targets[v] = m_soup.points[v];
+    for(const auto& [v, edge] : edges)
     {
-      const Oblique_plane plane = { vector(m_soup.points[v]), random.vector(1) + Vector3d(0.1, 0, 0) };
+      const Vector3d p = vector(m_points[v]), center = p + random.pick({1.5, 3., 10.}) * edge;
+      const Oblique_plane plane = { p, edge + random.vector(0.3 * edge.norm()) };
+      const Quadric quadric = { center, factors / factors.dot((p - center).cwiseAbs2()) };
       const bool is_in_plane = random.one_in(2);
       const VMP::Any_surface_3 second = is_in_plane ? VMP::Any_surface_3(VMP::Implicit_surface_3(plane))
-                                                    : VMP::Any_surface_3(VMP::Implicit_surface_3(m_quadric));
-      if(random.one_in(3))
+                                                    : VMP::Any_surface_3(VMP::Implicit_surface_3(quadric));
+      if(!random.one_in(part_on_curves))
         m_conditions[v] = Condition::on_surface(patch);
       else
       {
         m_conditions[v] = Condition::on_curve(VMP::Surface_intersection_3(patch, second));
-        m_second_values[v] = [is_in_plane, plane, quadric = m_quadric](const std::array<double, 3>& p)
+        m_second_values[v] = [is_in_plane, plane, quadric](const std::array<double, 3>& p)
         {
           return is_in_plane ? plane.value(p) / plane.normal.norm() : quadric.value(p) / vector(quadric.gradient(p)).norm();
         };
       }
       for(double& x : m_targets[v])
-        x += random.pick({0., 0.1, 1.}) * random.real(size());
+        x += random.real(largest_shift);
     }
   }
 

@@ -42,12 +42,15 @@ public:
     const internal::Vector_3 start(p[0], p[1], p[2]);
     internal::Vector_3 x = newton_point(start, normal_and_distance), offset = farther_offset(x);
     const auto is_on_both = [&] { return length(offset) <= rounding * x.cwiseAbs().maxCoeff(); };
-    if(!is_on_both()) // beyond a border, a tangent plane is no surface
+    const auto use_if_nearer = [&](const internal::Vector_3& y)
     {
-      const internal::Vector_3 y = newton_point(x, offset_and_distance), offset_of_y = farther_offset(y);
-      if(length(offset_of_y) < length(offset))
+      if(const internal::Vector_3 offset_of_y = farther_offset(y); length(offset_of_y) < length(offset))
         std::tie(x, offset) = std::pair(y, offset_of_y);
-    }
+    };
+    if(!is_on_both()) // beyond a border, a tangent plane is no surface
+      use_if_nearer(newton_point(x, offset_and_distance));
+    if(!is_on_both()) // where triangles bend, planes lead away
+      use_if_nearer(newton_point(projected_in_turn(start), offset_and_distance));
     const internal::Vector_3 tangent = normal_and_distance(m_first, x).first.cross(normal_and_distance(m_second, x).first);
     const internal::Vector_3 q = start + farther_offset(start);
     return { is_on_both() ? m_second.nearest_point({ x[0], x[1], x[2] }).point : std::array<double, 3>{ q[0], q[1], q[2] },
@@ -55,6 +58,16 @@ public:
   }
 
 private:
+  // Projects a point on each surface in turn, which comes near to the curve slowly, but does not leave it.
+  internal::Vector_3 projected_in_turn(internal::Vector_3 x) const
+  {
+    constexpr int number_of_rounds = 50; // a guess
+    for(int round = 0; round < number_of_rounds; ++round)
+      for(const Any_surface_3* const surface : { &m_first, &m_second })
+        x += offset_to(*surface, x);
+    return x;
+  }
+
   using Plane = std::pair<internal::Vector_3, double>; // the unit normal, and how far the plane is along it
 
   // Puts a point on a plane of each surface, again and again.
