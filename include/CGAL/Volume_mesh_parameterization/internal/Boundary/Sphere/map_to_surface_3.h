@@ -105,13 +105,6 @@ inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector
     pair.*side = pair.*side / size;
 }
 
-// Sorts pairs by their distortion, behind those with all features.
-inline void sort_pairs(std::vector<Surface_pair_3>& pairs)
-{
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Surface_pair_3& a, const Surface_pair_3& b)
-  { return std::make_pair(!a.features.are_complete, a.distortion) < std::make_pair(!b.features.are_complete, b.distortion); });
-}
-
 // Returns the ways in which landmarks or axes turn the surface of a pair.
 inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
                                                 const bool have_features, const double epsilon, const Budget& budget)
@@ -126,6 +119,29 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
     turn_to_landmarks_3(wanted, result.back().surface.directions);
     result.back().relax(number_of_sweeps, epsilon, budget);
   }
+  return result;
+}
+
+// Curves of sharp edges of a surface and of its target.
+using Curves_of_pair_3 = std::array<std::vector<Feature_curve_3>, 2>;
+
+// Returns the ways in which the surface of a pair is turned, each with the features that it meets, by the first of several lists
+// of curves, or by one by which all are met. These ways, and then those with the least distortion, come first.
+inline std::vector<Surface_pair_3> sorted_ways(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
+                                               const std::vector<Curves_of_pair_3>& curves, const double epsilon,
+                                               const Budget& budget)
+{
+  std::vector<Surface_pair_3> result = turned_pairs(pair, landmarks, !curves.empty(), epsilon, budget);
+  for(Surface_pair_3& turned : result)
+  {
+    for(std::size_t i = 0; i < curves.size() && !turned.features.are_complete; ++i)
+      if(auto found = matched_features_3(curves[i][0], curves[i][1], *pair.target.surface, turned.images);
+         i == 0 || found.are_complete)
+        turned.features = std::move(found);
+    turned.relax_to_goals(epsilon, budget);
+  }
+  std::stable_sort(result.begin(), result.end(), [](const Surface_pair_3& a, const Surface_pair_3& b)
+  { return std::make_pair(!a.features.are_complete, a.distortion) < std::make_pair(!b.features.are_complete, b.distortion); });
   return result;
 }
 
@@ -160,6 +176,25 @@ inline Surface_pair_3 met_features(Surface_pair_3 pair, const Budget& budget)
   for(const auto& [v, point] : pair.features.points)
     pair.images[v] = point;
   return pair;
+}
+
+// Fits a pair in one of several ways, if possible such that features are met. Returns no images if it is never fitted.
+template <typename IsFitted>
+Surface_pair_3 best_fitted_pair(const std::vector<Surface_pair_3>& ways, const double smooth, const IsFitted& is_fitted,
+                                const Budget& budget)
+{
+  Surface_pair_3 best = { ways[0].surface, ways[0].target };
+  for(const Surface_pair_3& turned : ways)
+    if(Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
+    {
+      if(const Surface_pair_3 met = met_features(fitted, budget); is_fitted(met))
+        fitted = met;
+      if(best.images.empty() || fitted.holds_features)
+        best = std::move(fitted);
+      if(best.holds_features || !turned.features.are_complete)
+        break;
+    }
+  return best;
 }
 
 // Images of the vertices of a surface on another one, after edges of the surface are split one after the other. New vertices come
@@ -206,32 +241,17 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
   for(const auto& [p, q] : landmarks)
     pair.goals.emplace(nearest_vertex(surface, p), to_vector(triangulated.nearest_point(coordinates(q)).point));
-  using Curves = std::array<std::vector<Feature_curve_3>, 2>; // of both surfaces; a coarse circle may turn sharply, or not
-  const std::array<Curves, 2> curves = { Curves{ feature_curves_3(surface, true), feature_curves_3(target, true) },
-                                         Curves{ feature_curves_3(surface, false), feature_curves_3(target, false) } };
-  const bool have_features = !curves[0][0].empty() && !curves[0][1].empty();
-  std::vector<Surface_pair_3> ways = turned_pairs(pair, landmarks, have_features, smooth, budget);
-  for(Surface_pair_3& turned : ways)
-  {
-    if(have_features)
-      turned.features = matched_features_3(curves[0][0], curves[0][1], target, turned.images);
-    if(have_features && !turned.features.are_complete)
-      if(auto others = matched_features_3(curves[1][0], curves[1][1], target, turned.images); others.are_complete)
-        turned.features = std::move(others);
-    turned.relax_to_goals(smooth, budget);
-  }
-  sort_pairs(ways);
+  std::vector<Curves_of_pair_3> curves;
+  for(const bool do_end_at_turns : { true, false }) // a coarse circle may turn sharply, or not
+    curves.push_back({ feature_curves_3(surface, do_end_at_turns), feature_curves_3(target, do_end_at_turns) });
+  if(curves[0][0].empty() || curves[0][1].empty())
+    curves.clear();
   Surface_pair_3 best = { pair.surface, pair.target };
-  for(const Surface_pair_3& turned : ways)
-    if(Surface_pair_3 fitted = fitted_pair(turned, smooth, is_fitted, budget); !fitted.images.empty())
-    {
-      if(const Surface_pair_3 met = met_features(fitted, budget); is_fitted(met))
-        fitted = met;
-      if(best.images.empty() || fitted.holds_features)
-        best = std::move(fitted);
-      if(best.holds_features || !turned.features.are_complete)
-        break;
-    }
+  if(const std::vector<Surface_pair_3> ways = sorted_ways(pair, landmarks, curves, smooth, budget);
+     std::any_of(ways.begin(), ways.end(), [](const Surface_pair_3& way) { return !way.features.points.empty(); }))
+    best = best_fitted_pair(ways, smooth, is_fitted, budget);
+  if(best.images.empty()) // features that are alike by chance may be in the way
+    best = best_fitted_pair(sorted_ways(pair, landmarks, {}, smooth, budget), smooth, is_fitted, budget);
   if(best.images.empty())
     return ERROR_BOUNDARY_NOT_FITTED;
   Split_fit_3 fit(best, mesh, triangulated);

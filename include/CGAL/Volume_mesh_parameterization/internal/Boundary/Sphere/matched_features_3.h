@@ -24,6 +24,13 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Vertices of a surface, each with the point that it is pulled to.
 using Goals_3 = std::map<int, Vector_3>;
 
+inline double distance_to_segment(const Vector_3& p, const Vector_3& begin, const Vector_3& end)
+{
+  const Vector_3 d = end - begin;
+  const double t = (p - begin).dot(d) / d.squaredNorm();
+  return (p - begin - (std::min)((std::max)(t, 0.), 1.) * d).norm();
+}
+
 // Points along sharp edges, from one corner to another one, or around a closed curve, whose first point is also the last one. The
 // part of the length is the coordinate on the curve. It goes on beyond 0 and 1 around a closed curve.
 struct Feature_curve_3
@@ -51,16 +58,19 @@ struct Feature_curve_3
   // vertex; the middle without a vertex.
   std::pair<double, double> farthest_vertex(const double first, const double last) const
   {
-    const Vector_3 p = point(first), d = point(last) - p;
     std::pair<double, double> result(0, (first + last) / 2);
     for(std::size_t i = 0; i < parts.size(); ++i)
       for(const double part : { parts[i] - 1, parts[i], parts[i] + 1 })
         if((part - first) * (part - last) < 0)
-        {
-          const double t = (points[i] - p).dot(d) / d.squaredNorm();
-          const double distance = (points[i] - p - (std::min)((std::max)(t, 0.), 1.) * d).norm();
-          result = (std::max)(result, { distance, part });
-        }
+          result = (std::max)(result, { distance_to_segment(points[i], point(first), point(last)), part });
+    return result;
+  }
+
+  double distance(const Vector_3& p) const
+  {
+    double result = (std::numeric_limits<double>::infinity)();
+    for(std::size_t i = 1; i < points.size(); ++i)
+      result = (std::min)(result, distance_to_segment(p, points[i - 1], points[i]));
     return result;
   }
 
@@ -300,7 +310,7 @@ inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>&
       return infinity;
     double distance = 0;
     for(const double part : { 0.25, 0.5, 0.75 })
-      distance += (image_at(c, part) - d.point(d.nearest_part(image_at(c, part)))).norm() / 3;
+      distance += d.distance(image_at(c, part)) / 3;
     return distance < bound ? distance : infinity;
   });
   const std::size_t number_of_curves = (std::max)(curves.size(), curves_of_target.size());
