@@ -187,7 +187,8 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
          : is_body_name(options.source) && result.status == VMP::ERROR_NON_MANIFOLD_BOUNDARY
            ? " Cells of another size (--cells) may not touch there."
          : is_body_name(options.source) && options.domain == "polycube" && result.status == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS
-           ? " If it is a void, --cells with half of its size helps, or filling the void in a CAD program." : "");
+           ? " If it is a void, fill it in a CAD program. --cells with half of its size helps, too, if cells are larger."
+             : "");
   result.message = with_names_of_options(result.message);
   if(options.do_improve) // which has no targets
     boost::replace_all(result.message, "Move one of its targets off the line.",

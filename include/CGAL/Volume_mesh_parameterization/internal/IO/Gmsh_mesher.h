@@ -177,12 +177,15 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
     gmsh::option::setNumber("Mesh.Algorithm", MeshAdapt);
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   std::string note;
-  if(const std::size_t number = number_of_thin_faces(size); number > 0 && edges_of_script == 0)
+  const std::size_t number = number_of_thin_faces(size);
+  if(edges_of_script == 0 && (number > 0 || attempt.is_second))
   {
-    constexpr int number_of_edges = 8; // a guess; four charts of a polycube around a bore need two edges each
+    // guesses; four charts of a polycube around a bore need two edges each, and with more, triangles of faces nearby do not cross
+    const int number_of_edges = attempt.is_second ? 24 : 8;
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", number_of_edges);
-    note = counted(number, "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. Cells "
-      "are smaller there, with " + std::to_string(number_of_edges) + " edges around a circle";
+    if(number > 0)
+      note = counted(number, "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. ";
+    note += "Cells are smaller at curved faces, with " + std::to_string(number_of_edges) + " edges around a circle";
   }
   gmsh::model::mesh::generate(3);
   return note;
