@@ -247,11 +247,15 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   if(curves[0][0].empty() || curves[0][1].empty())
     curves.clear();
   Surface_pair_3 best = { pair.surface, pair.target };
-  if(const std::vector<Surface_pair_3> ways = sorted_ways(pair, landmarks, curves, smooth, budget);
-     std::any_of(ways.begin(), ways.end(), [](const Surface_pair_3& way) { return !way.features.points.empty(); }))
+  const std::vector<Surface_pair_3> ways = sorted_ways(pair, landmarks, curves, smooth, budget);
+  const bool have_features
+    = std::any_of(ways.begin(), ways.end(), [](const Surface_pair_3& way) { return !way.features.points.empty(); });
+  if(have_features)
     best = best_fitted_pair(ways, smooth, is_fitted, budget);
   if(best.images.empty()) // features that are alike by chance may be in the way
     best = best_fitted_pair(sorted_ways(pair, landmarks, {}, smooth, budget), smooth, is_fitted, budget);
+  if(best.images.empty() && !have_features) // the axes as they are may help
+    best = best_fitted_pair(ways, smooth, is_fitted, budget);
   if(best.images.empty())
     return ERROR_BOUNDARY_NOT_FITTED;
   Split_fit_3 fit(best, mesh, triangulated);
