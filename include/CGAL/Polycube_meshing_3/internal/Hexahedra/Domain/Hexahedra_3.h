@@ -17,6 +17,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Body_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
+#include <set>
 #include <utility>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -115,6 +116,16 @@ std::size_t side_of_facet(const Hexahedra& mesh, const std::size_t f)
 // Returns an edge of a quadrangle, the smaller vertex first.
 inline std::array<std::size_t, 2> edge_of_quadrangle(const std::array<std::size_t, 4>& quadrangle, const std::size_t i)
 { return sorted(std::array<std::size_t, 2>{ quadrangle[i % 4], quadrangle[(i + 1) % 4] }); }
+
+// Returns the edges of the quadrangles of the boundary.
+inline std::set<std::array<std::size_t, 2> > edges_of_quadrangles(const Hexahedra_3& mesh)
+{
+  std::set<std::array<std::size_t, 2> > result;
+  for(const std::array<std::size_t, 4>& q : mesh.facets)
+    for(std::size_t i = 0; i < 4; ++i)
+      result.insert(edge_of_quadrangle(q, i));
+  return result;
+}
 
 inline Vector_3 center_of(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& quadrangle)
 {

@@ -23,12 +23,13 @@ constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
   = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
        {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
+// Returns whether a vertex of the unit cube is on its upper side along an axis.
+constexpr bool is_upper(const std::size_t k, const std::size_t axis)
+{ return axis == 0 ? k % 4 == 1 || k % 4 == 2 : axis == 1 ? k % 4 >= 2 : k >= 4; }
+
 // Returns the axis of the unit cube along which two of its neighboring vertices differ.
 constexpr int axis_of_edge(const std::size_t k, const std::size_t l)
-{
-  const auto x = [](const std::size_t i) { return i % 4 == 1 || i % 4 == 2; };
-  return k / 4 != l / 4 ? 2 : x(k) != x(l) ? 0 : 1;
-}
+{ return is_upper(k, 2) != is_upper(l, 2) ? 2 : is_upper(k, 0) != is_upper(l, 0) ? 0 : 1; }
 
 // Calls `f` with the four points of each corner of a hexahedron.
 template <typename Function>

@@ -129,18 +129,16 @@ private:
   std::size_t patch_beside(const End_of_arc_3& end, const bool is_left) const
   { return m_complex.arcs()[end.arc].patches[(end.side == 0) != is_left]; }
 
-  // Gives each corner a vertex near it, by almost the least sum of costs: in an auction (Bertsekas 1979), corners bid for the
-  // vertex that is the cheapest one for them, by cost and price, and raise its price up to that of the second one.
+  // Gives each corner a vertex near it: first to the pair of the least cost, and so on.
   void assign_corners()
   {
     constexpr std::size_t number_of_candidates = 60; // a guess
-    constexpr double least_bid = 0.01, largest_price = 100; // guesses
-    std::vector<std::size_t> outer, waiting;
+    std::vector<std::size_t> outer;
     for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
       if(m_graph.degree(v) > 0)
         outer.push_back(v);
-    std::vector<std::vector<std::pair<double, std::size_t> > > candidates(m_complex.corners().size());
-    for(std::size_t c = 0; c < candidates.size(); ++c)
+    std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // cost, vertex, corner
+    for(std::size_t c = 0; c < m_complex.corners().size(); ++c)
     {
       const Vector_3& p = m_complex.points()[m_complex.corners()[c].vertex];
       const auto is_nearer = [&](const std::size_t v, const std::size_t w)
@@ -148,39 +146,18 @@ private:
       const std::size_t n = (std::min)(number_of_candidates, outer.size());
       std::partial_sort(outer.begin(), outer.begin() + n, outer.end(), is_nearer);
       for(std::size_t i = 0; i < n; ++i)
-        candidates[c].emplace_back(cost_of_corner(c, outer[i]), outer[i]);
-      waiting.push_back(c);
+        pairs.emplace_back(cost_of_corner(c, outer[i]), outer[i], c);
     }
-    m_vertices.assign(candidates.size(), none);
-    std::map<std::size_t, double> prices;
-    while(!waiting.empty())
+    m_vertices.assign(m_complex.corners().size(), none);
+    for(const auto& [v, c] : nearest_pairs(pairs))
     {
-      const std::size_t c = waiting.back();
-      waiting.pop_back();
-      std::pair<double, std::size_t> best = { largest_price, none };
-      double second = largest_price;
-      for(const auto& [cost, v] : candidates[c])
-      {
-        const double sum = cost + prices[v];
-        second = (std::min)(second, (std::max)(sum, best.first));
-        best = (std::min)(best, { sum, v });
-      }
-      const std::size_t v = best.second;
-      if(v == none)
-      {
+      m_vertices[c] = v;
+      m_corner_at[v] = c;
+    }
+    for(std::size_t c = 0; c < m_vertices.size(); ++c)
+      if(m_vertices[c] == none)
         for(const End_of_arc_3& end : m_complex.corners()[c].ends)
           give_up(m_complex.arcs()[end.arc].curve);
-        continue;
-      }
-      prices[v] += second - best.first + least_bid;
-      if(m_corner_at[v] != none)
-      {
-        m_vertices[m_corner_at[v]] = none;
-        waiting.push_back(m_corner_at[v]);
-      }
-      m_corner_at[v] = c;
-      m_vertices[c] = v;
-    }
   }
 
   double cost_of_corner(const std::size_t c, const std::size_t v) const
@@ -455,7 +432,7 @@ private:
   std::vector<std::vector<std::size_t> > m_paths; // edges of each arc
   std::vector<std::map<std::size_t, double> > m_costs, m_deviations;
   std::vector<std::array<std::size_t, 2> > m_ports; // vertices by which arcs should leave their corners
-  std::vector<std::size_t> m_corner_at, m_vertices;
+  std::vector<std::size_t> m_corner_at, m_vertices; // corner of each vertex, vertex of each corner
   std::vector<double> m_history, m_history_of_edges, m_penalties; // of vertices, edges, corners
   std::vector<int> m_occupied, m_occupied_edges; // numbers of paths
   std::vector<std::size_t> m_regions; // of each quadrangle

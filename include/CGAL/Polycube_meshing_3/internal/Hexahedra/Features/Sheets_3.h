@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -23,18 +24,22 @@ class Sheets_3
 public:
   explicit Sheets_3(const Hexahedra_3& mesh) : m_mesh(mesh)
   {
-    for(const std::array<std::size_t, 8>& cell : mesh.cells)
-      for(std::size_t i = 0; i < 12; ++i)
-        m_sheets.emplace(edge(cell, i), m_sheets.size());
+    const auto for_each_edge_of_cell = [&](const auto& f)
+    {
+      for(const std::array<std::size_t, 8>& cell : mesh.cells)
+        for(const std::array<std::size_t, 4>& corner : corners_of_hexahedron)
+          for(std::size_t i = 1; i < 4; ++i)
+            f(cell, sorted(Edge{ cell[corner[0]], cell[corner[i]] }), axis_of_edge(corner[0], corner[i]));
+    };
+    for_each_edge_of_cell([&](const auto&, const Edge& e, int) { m_sheets.emplace(e, m_sheets.size()); });
     Disjoint_sets sets(m_sheets.size());
-    for(const std::array<std::size_t, 8>& cell : mesh.cells)
-      for(std::size_t i = 0; i < 12; ++i)
-        sets.unite(m_sheets.at(edge(cell, i)), m_sheets.at(edge(cell, i - i % 4)));
+    for_each_edge_of_cell([&](const auto& cell, const Edge& e, const int axis)
+                          { sets.unite(m_sheets.at(e), m_sheets.at(first_edge(cell, axis))); });
     for(auto& [e, number] : m_sheets)
       number = sets.find(number);
     for(const std::array<std::size_t, 8>& cell : mesh.cells)
       for(std::size_t axis = 0; axis < 3; ++axis)
-        ++m_sizes[m_sheets.at(edge(cell, 4 * axis))];
+        ++m_sizes[m_sheets.at(first_edge(cell, axis))];
   }
 
   std::size_t sheet(const std::array<std::size_t, 2>& e) const { return m_sheets.at(sorted(e)); }
@@ -59,7 +64,7 @@ public:
     {
       std::array<std::size_t, 3> numbers; // of parts along each axis
       for(std::size_t axis = 0; axis < 3; ++axis)
-        numbers[axis] = 1 + sheets.count(m_sheets.at(edge(m_mesh.cells[c], 4 * axis)));
+        numbers[axis] = 1 + sheets.count(m_sheets.at(first_edge(m_mesh.cells[c], axis)));
       for(std::size_t part = 0; part < numbers[0] * numbers[1] * numbers[2]; ++part)
       {
         const std::array<std::size_t, 3> at
@@ -89,20 +94,12 @@ public:
 private:
   using Edge = std::array<std::size_t, 2>;
 
-  // Edges of a hexahedron, four along each axis.
-  static Edge edge(const std::array<std::size_t, 8>& cell, const std::size_t i)
-  {
-    constexpr std::size_t ends[12][2] = { {0, 1}, {3, 2}, {4, 5}, {7, 6}, {0, 3}, {1, 2}, {4, 7}, {5, 6},
-                                          {0, 4}, {1, 5}, {2, 6}, {3, 7} };
-    return sorted(Edge{ cell[ends[i][0]], cell[ends[i][1]] });
-  }
+  // Returns the edge of a hexahedron from its first vertex along an axis.
+  static Edge first_edge(const std::array<std::size_t, 8>& cell, const std::size_t axis)
+  { return sorted(Edge{ cell[0], cell[corners_of_hexahedron[0][1 + axis]] }); }
 
   static std::size_t axis_across(const std::size_t side)
   { return 3 - axes_of_quadrangle[side][0] - axes_of_quadrangle[side][1]; }
-
-  // Returns whether a vertex of a hexahedron is on the upper side along an axis.
-  static bool is_upper(const std::size_t k, const std::size_t axis)
-  { return axis == 0 ? k % 4 == 1 || k % 4 == 2 : axis == 1 ? k % 4 >= 2 : k >= 4; }
 
   // Returns vertex k of a part of a hexahedron: an old one, or the middle of an edge, a quadrangle or the hexahedron.
   std::size_t vertex(const std::size_t c, const std::size_t k, const std::array<std::size_t, 3>& numbers,

@@ -24,17 +24,27 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 constexpr double tolerance_of_features = 0.1; // how far hexahedra may be from features that they keep, in edges
 
+// Returns for each corner of a body the vertices of the boundary that are near it.
+inline std::vector<std::vector<std::size_t> > vertices_at_corners_3(const Body_complex_3& complex, const Hexahedra_3& mesh,
+                                                                    const double edge)
+{
+  std::vector<std::vector<std::size_t> > result(complex.corners().size());
+  const std::vector<bool> is_outer = is_on_boundary(mesh);
+  for(std::size_t c = 0; c < result.size(); ++c)
+    for(std::size_t v = 0; v < is_outer.size() && complex.corners()[c].is_of_body; ++v)
+      if(is_outer[v] && (mesh.points[v] - complex.points()[complex.corners()[c].vertex]).norm() <= tolerance_of_features * edge)
+        result[c].push_back(v);
+  return result;
+}
+
 // Returns which corners, curves and patches of a body hexahedra have: a corner is near a vertex of the boundary, all points of a
 // curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is a tenth of an edge.
 inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                                 const Hexahedra_3& mesh, const double edge)
 {
-  const double tolerance = tolerance_of_features;
   AABB_trees_3::Segments segments;
-  for(const std::array<std::size_t, 4>& q : mesh.facets)
-    for(std::size_t i = 0; i < 4; ++i)
-      if(q[i] < q[(i + 1) % 4])
-        segments.emplace_back(exact_point(mesh.points[q[i]]), exact_point(mesh.points[q[(i + 1) % 4]]));
+  for(const auto& [v, w] : edges_of_quadrangles(mesh))
+    segments.emplace_back(exact_point(mesh.points[v]), exact_point(mesh.points[w]));
   AABB_trees_3::Of_segments edges(segments.cbegin(), segments.cend());
   edges.accelerate_distance_queries();
   Hexahedral_mesh_features result;
@@ -47,20 +57,15 @@ inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, c
     else
       given_up.push_back(coordinates(point));
   };
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  for(const Corner_3& corner : complex.corners())
-    if(corner.is_of_body)
-    {
-      const Vector_3& p = complex.points()[corner.vertex];
-      bool is_kept = false;
-      for(std::size_t v = 0; v < is_outer.size() && !is_kept; ++v)
-        is_kept = is_outer[v] && (mesh.points[v] - p).norm() <= tolerance * edge;
-      count(is_kept, p, result.number_of_corners, result.number_of_corners_kept, result.corners_given_up);
-    }
+  const std::vector<std::vector<std::size_t> > at_corners = vertices_at_corners_3(complex, mesh, edge);
+  for(std::size_t c = 0; c < at_corners.size(); ++c)
+    if(const Corner_3& corner = complex.corners()[c]; corner.is_of_body)
+      count(!at_corners[c].empty(), complex.points()[corner.vertex], result.number_of_corners, result.number_of_corners_kept,
+            result.corners_given_up);
   std::vector<bool> is_curve_kept(complex.number_of_curves(), true), is_patch_kept(complex.number_of_patches(), false);
   for(std::size_t a = 0; a < complex.arcs().size(); ++a)
     for(const Vector_3& p : complex.line(a).points())
-      if(std::sqrt(edges.squared_distance(exact_point(p))) > tolerance * edge)
+      if(std::sqrt(edges.squared_distance(exact_point(p))) > tolerance_of_features * edge)
         is_curve_kept[complex.arcs()[a].curve] = false;
   for(const std::array<std::size_t, 4>& q : mesh.facets)
     is_patch_kept[complex.patch_of_facet(boundary.nearest_facet(center_of(mesh.points, q)))] = true;
@@ -106,16 +111,9 @@ inline std::string sentence_on_features(const Hexahedral_mesh_features& features
 inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge, Hexahedron_soup_3& soup)
 {
   const double tolerance = tolerance_of_features * edge, rounding = 1e-6 * edge;
-  const std::vector<bool> is_outer = is_on_boundary(mesh);
-  for(const Corner_3& corner : complex.corners())
-    for(std::size_t v = 0; v < is_outer.size() && corner.is_of_body; ++v)
-      if(is_outer[v] && (mesh.points[v] - complex.points()[corner.vertex]).norm() <= tolerance)
-        soup.corners.push_back(v);
-  std::set<std::array<std::size_t, 2> > edges;
-  for(const std::array<std::size_t, 4>& q : mesh.facets)
-    for(std::size_t i = 0; i < 4; ++i)
-      edges.insert(edge_of_quadrangle(q, i));
-  for(const auto& [v, w] : edges)
+  for(const std::vector<std::size_t>& at_corner : vertices_at_corners_3(complex, mesh, edge))
+    soup.corners.insert(soup.corners.end(), at_corner.begin(), at_corner.end());
+  for(const auto& [v, w] : edges_of_quadrangles(mesh))
   {
     std::pair<double, std::size_t> nearest = { tolerance, complex.arcs().size() };
     for(std::size_t a = 0; a < complex.arcs().size(); ++a)
