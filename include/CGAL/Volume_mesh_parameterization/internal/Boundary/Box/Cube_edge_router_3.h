@@ -85,6 +85,23 @@ inline int next_axis_around_corner(const int corner, const int axis)
   return (axis + (is_direct ? 1 : 2)) % 3;
 }
 
+// Vertices of a surface for the corners of a box, and paths that become its edges, from `corner` to `other_corner()` each.
+struct Box_paths_3
+{
+  std::array<int, 8> corners;
+  std::array<Cube_edge_3, 12> edges = cube_edges();
+  std::array<std::vector<int>, 12> paths = {};
+
+  // Calls f for each vertex of a path.
+  template <typename Function>
+  void for_each_vertex(const Function& f)
+  {
+    std::for_each(corners.begin(), corners.end(), f);
+    for(std::vector<int>& path : paths)
+      std::for_each(path.begin(), path.end(), f);
+  }
+};
+
 // Finds disjoint paths along edges of a triangulated sphere that join eight of its vertices like the edges of a cube.
 //
 // The paths are shortest paths between the points, found one after the other. The paths respect the cyclic order of the
@@ -100,7 +117,7 @@ class Cube_edge_router_3
 public:
   Cube_edge_router_3(const Vertex_rings_3& rings, const std::vector<Vector_3>& points,
                      const std::array<int, 8>& corners, const Sorted_edges& sharp_edges, const Budget& budget)
-    : m_rings(rings), m_points(points), m_corners(corners), m_sharp_edges(sharp_edges), m_budget(budget), m_edges(cube_edges())
+    : m_rings(rings), m_points(points), m_sharp_edges(sharp_edges), m_budget(budget), m_found{ corners }
   {}
 
   bool run()
@@ -111,25 +128,22 @@ public:
     {
       if(route_all())
         return true;
-      CGAL::cpp98::random_shuffle(m_edges.begin(), m_edges.end(), random);
+      CGAL::cpp98::random_shuffle(m_found.edges.begin(), m_found.edges.end(), random);
     }
     return false;
   }
 
-  const Cube_edge_3& edge(const std::size_t i) const { return m_edges[i]; }
-
-  // Returns the vertices from `corner` to `other_corner()` of the i-th edge.
-  const std::vector<int>& path(const std::size_t i) const { return m_paths[i]; }
+  const Box_paths_3& paths() const { return m_found; }
 
   // Returns whether two routers have found the same paths; in another order, these count as others.
-  bool has_paths_of(const Cube_edge_router_3& other) const { return m_paths == other.m_paths; }
+  bool has_paths_of(const Cube_edge_router_3& other) const { return m_found.paths == other.m_found.paths; }
 
 private:
   void sort_edges_by_distance()
   {
     const auto squared_distance = [&](const Cube_edge_3& edge)
-    { return (m_points[m_corners[edge.corner]] - m_points[m_corners[edge.other_corner()]]).squaredNorm(); };
-    std::stable_sort(m_edges.begin(), m_edges.end(), [&](const Cube_edge_3& a, const Cube_edge_3& b)
+    { return (m_points[m_found.corners[edge.corner]] - m_points[m_found.corners[edge.other_corner()]]).squaredNorm(); };
+    std::stable_sort(m_found.edges.begin(), m_found.edges.end(), [&](const Cube_edge_3& a, const Cube_edge_3& b)
     { return squared_distance(a) < squared_distance(b); });
   }
 
@@ -139,7 +153,7 @@ private:
     m_is_used.assign(m_points.size(), false);
     for(std::size_t k = 0; k < 8; ++k)
     {
-      m_is_used[m_corners[k]] = true;
+      m_is_used[m_found.corners[k]] = true;
       m_exits[k].fill(-1);
     }
     for(std::size_t i = 0; i < 12; ++i)
@@ -154,26 +168,26 @@ private:
     std::array<Cube_edge_3, 12> ordered;
     auto front = ordered.begin();
     auto back = ordered.rbegin();
-    for(const Cube_edge_3& edge : m_edges)
+    for(const Cube_edge_3& edge : m_found.edges)
     {
       const bool joins_trees = trees.find(edge.corner) != trees.find(edge.other_corner());
       trees.unite(edge.corner, edge.other_corner());
       (joins_trees ? *front++ : *back++) = edge;
     }
-    m_edges = ordered;
+    m_found.edges = ordered;
   }
 
   bool route(const std::size_t i)
   {
-    const int corner = m_edges[i].corner, other = m_edges[i].other_corner(), axis = m_edges[i].axis;
-    m_paths[i] = find_path(m_corners[corner], admissible_exits(corner, axis),
-                           m_corners[other], admissible_exits(other, axis));
-    if(m_paths[i].empty())
+    const int corner = m_found.edges[i].corner, other = m_found.edges[i].other_corner(), axis = m_found.edges[i].axis;
+    m_found.paths[i] = find_path(m_found.corners[corner], admissible_exits(corner, axis),
+                           m_found.corners[other], admissible_exits(other, axis));
+    if(m_found.paths[i].empty())
       return false;
-    for(const int v : m_paths[i])
+    for(const int v : m_found.paths[i])
       m_is_used[v] = true;
-    m_exits[corner][axis] = m_paths[i][1];
-    m_exits[other][axis] = m_paths[i][m_paths[i].size() - 2];
+    m_exits[corner][axis] = m_found.paths[i][1];
+    m_exits[other][axis] = m_found.paths[i][m_found.paths[i].size() - 2];
     return true;
   }
 
@@ -183,7 +197,7 @@ private:
   {
     const int after = next_axis_around_corner(corner, axis);
     const int next = m_exits[corner][after], previous = m_exits[corner][next_axis_around_corner(corner, after)];
-    std::vector<int> exits = m_rings[m_corners[corner]];
+    std::vector<int> exits = m_rings[m_found.corners[corner]];
     if(next < 0 && previous < 0)
       return exits;
 
@@ -217,7 +231,7 @@ private:
       if(m_is_used[v])
         for(const int w : m_rings[static_cast<int>(v)])
           costs[w] = 3;
-    for(const int corner : m_corners)
+    for(const int corner : m_found.corners)
       if(corner != source && corner != target)
         for(const int w : m_rings[corner])
           costs[w] = 10;
@@ -252,11 +266,9 @@ private:
 
   const Vertex_rings_3& m_rings;
   const std::vector<Vector_3>& m_points;
-  const std::array<int, 8> m_corners;
   const Sorted_edges m_sharp_edges;
   const Budget& m_budget;
-  std::array<Cube_edge_3, 12> m_edges;
-  std::array<std::vector<int>, 12> m_paths;
+  Box_paths_3 m_found;
   std::array<std::array<int, 3>, 8> m_exits; // second vertex of the paths found, by corner and axis, or -1
   std::vector<bool> m_is_used;
 };

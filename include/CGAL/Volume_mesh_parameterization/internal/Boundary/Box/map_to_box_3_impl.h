@@ -164,20 +164,20 @@ inline bool map_charts_to_box(const Boundary_mesh_3& mesh, const std::vector<boo
 // the first map of the charts, as long thin parts of the surface are compact there. The last step lowers the distortion of
 // the map from the surface itself.
 inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& sphere,
-                                      const Vector_3& half_lengths, const std::array<int, 8>& corners,
-                                      const Cube_edge_router_3& router, std::vector<Vector_3>& images, const Budget& budget)
+                                      const Vector_3& half_lengths, const Box_paths_3& paths,
+                                      std::vector<Vector_3>& images, const Budget& budget)
 {
   Boundary_mesh_3 sphere_mesh = mesh;
   set_points(sphere_mesh, sphere);
   images.assign(sphere.size(), Vector_3::Zero());
   for(int k = 0; k < 8; ++k)
     for(int axis = 0; axis < 3; ++axis)
-      images[corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
+      images[paths.corners[k]][axis] = side_of_corner(k, axis) * half_lengths[axis];
   std::vector<bool> is_on_path(mesh.number_of_edges(), false), is_held(mesh.number_of_vertices(), false);
   for(std::size_t i = 0; i < 12; ++i)
   {
-    const std::vector<int>& path = router.path(i);
-    map_path_to_segment_3(sphere_mesh, path, router.edge(i).axis, images);
+    const std::vector<int>& path = paths.paths[i];
+    map_path_to_segment_3(sphere_mesh, path, paths.edges[i].axis, images);
     for(const int v : path)
       is_held[v] = true;
     for(std::size_t k = 1; k < path.size(); ++k)
@@ -194,11 +194,11 @@ inline Error_code map_sphere_to_box_3(const Boundary_mesh_3& mesh, const std::ve
 }
 
 // Maps a surface with a known image on the unit sphere to a box by the shortest paths, and by paths that prefer sharp edges if
-// these differ. Takes the map of less distortion.
+// these differ. Takes the map of less distortion, and its paths.
 inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const std::vector<Vector_3>& sphere,
                                     const Sorted_edges& sharp_edges, const Vector_3& half_lengths,
                                     const std::optional<std::array<int, 8> >& given_corners, std::vector<Vector_3>& images,
-                                    const Budget& budget)
+                                    Box_paths_3& paths, const Budget& budget)
 {
   if(mesh.number_of_vertices() < 8)
     return ERROR_BOUNDARY_TOO_COARSE;
@@ -206,10 +206,11 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const std::vect
   const std::array<int, 8> corners = given_corners ? *given_corners : cube_corners_3(points, sphere, half_lengths);
   const Vertex_rings_3 rings(mesh);
   Cube_edge_router_3 router(rings, sphere, corners, {}, budget), along_edges(rings, sphere, corners, sharp_edges, budget);
-  const auto map = [&](const Cube_edge_router_3& paths, std::vector<Vector_3>& result)
-  { return map_sphere_to_box_3(mesh, sphere, half_lengths, corners, paths, result, budget); };
+  const auto map = [&](const Cube_edge_router_3& found, std::vector<Vector_3>& result)
+  { return map_sphere_to_box_3(mesh, sphere, half_lengths, found.paths(), result, budget); };
   const Error_code status = router.run() ? map(router, images)
     : Cube_edge_router_3(rings, sphere, mirrored(corners), {}, budget).run() ? ERROR_MIRRORED_CORNERS : ERROR_BOUNDARY_TOO_COARSE;
+  paths = router.paths();
   std::vector<Vector_3> others;
   if(sharp_edges.empty() || !along_edges.run() || along_edges.has_paths_of(router) || map(along_edges, others) != OK)
     return status;
@@ -221,6 +222,7 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const std::vect
   if(status == OK && distortion(images) <= distortion(others))
     return status;
   images = std::move(others);
+  paths = along_edges.paths();
   return OK;
 }
 
@@ -250,6 +252,57 @@ inline void split_long_edges_3(Boundary_mesh_3& mesh, std::vector<Vector_3>& sph
   }
 }
 
+// Returns which vertices of a surface remain if only the splits are made that paths need: those of their vertices and of edges
+// that join two of these, and all splits whose vertices these have around them. So each edge of the paths remains.
+inline std::vector<bool> vertices_with_splits_of_paths_3(Boundary_mesh_3 mesh,
+                                                         const std::vector<std::array<std::size_t, 2> >& splits, Box_paths_3 paths)
+{
+  const std::size_t n = mesh.number_of_vertices();
+  std::vector<bool> is_on_path(n + splits.size(), false), remains(n + splits.size(), false);
+  paths.for_each_vertex([&](const int v) { is_on_path[v] = true; });
+  std::fill_n(remains.begin(), n, true);
+  std::vector<std::array<std::size_t, 2> > apexes;
+  for(const auto& [v, w] : splits)
+  {
+    const auto h = mesh.halfedge(vertex_index(v), vertex_index(w));
+    apexes.push_back({ mesh.target(mesh.next(h)), mesh.target(mesh.next(mesh.opposite(h))) });
+    split_edge_3(mesh, mesh.edge(h));
+  }
+  for(std::size_t i = splits.size(); i-- > 0; )
+    if(const auto& [v, w] = splits[i]; remains[n + i] || is_on_path[n + i] || (is_on_path[v] && is_on_path[w]))
+      for(const std::size_t u : { n + i, v, w, apexes[i][0], apexes[i][1] })
+        remains[u] = true;
+  return remains;
+}
+
+// Maps a surface with splits to a box again, without the splits that its paths do not need, if that is possible.
+inline void leave_out_splits_3(Boundary_mesh_3 mesh, const std::vector<Vector_3>& sphere, const Vector_3& half_lengths,
+                               Box_paths_3 paths, std::vector<Vector_3>& images,
+                               std::vector<std::array<std::size_t, 2> >& splits, const Budget& budget)
+{
+  const std::size_t n = mesh.number_of_vertices();
+  const std::vector<bool> remains = vertices_with_splits_of_paths_3(mesh, splits, paths);
+  std::vector<std::size_t> numbers; // of all vertices among those that remain
+  std::vector<Vector_3> fewer_on_sphere, fewer_images;
+  std::vector<std::array<std::size_t, 2> > fewer_splits;
+  for(std::size_t v = 0; v < remains.size(); ++v)
+  {
+    numbers.push_back(fewer_on_sphere.size());
+    if(!remains[v])
+      continue;
+    fewer_on_sphere.push_back(sphere[v]);
+    if(v < n)
+      continue;
+    fewer_splits.push_back({ numbers[splits[v - n][0]], numbers[splits[v - n][1]] });
+    split_edge_3(mesh, mesh.edge(mesh.halfedge(vertex_index(fewer_splits.back()[0]), vertex_index(fewer_splits.back()[1]))));
+  }
+  paths.for_each_vertex([&](int& v) { v = static_cast<int>(numbers[v]); });
+  if(map_sphere_to_box_3(mesh, fewer_on_sphere, half_lengths, paths, fewer_images, budget) != OK)
+    return;
+  images = std::move(fewer_images);
+  splits = std::move(fewer_splits);
+}
+
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_lengths,
                         const std::optional<std::array<int, 8> >& corners, std::vector<Vector_3>& images,
@@ -263,13 +316,18 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_
     status = map_mesh_to_sphere_3(mesh, sphere, budget);
   if(status != OK)
     return status;
-  const auto map = [&] { return map_mesh_to_box_3(mesh, sphere, surface.sharp_edges, half_lengths, corners, images, budget); };
+  const Boundary_mesh_3 unrefined = mesh;
+  Box_paths_3 paths = {};
+  const auto map = [&]
+  { return map_mesh_to_box_3(mesh, sphere, surface.sharp_edges, half_lengths, corners, images, paths, budget); };
   status = map();
   for(auto bound = bounds.begin(); splits != nullptr && status == ERROR_BOUNDARY_TOO_COARSE && bound != bounds.end(); ++bound)
   {
     split_long_edges_3(mesh, sphere, *bound, *splits);
     status = map();
   }
+  if(status == OK && splits != nullptr && !splits->empty())
+    leave_out_splits_3(unrefined, sphere, half_lengths, std::move(paths), images, *splits, budget);
   return status;
 }
 
