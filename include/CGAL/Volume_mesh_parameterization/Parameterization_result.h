@@ -130,8 +130,8 @@ inline const char* get_error_message(const Error_code code)
     case ERROR_FIT_TOLERANCE_NOT_REACHED:
       return "The boundary would need too many vertices to be as close to the target surface as the tolerance. Use a larger one.";
     case ERROR_NO_POLYCUBE:
-      return "No polycube was found for the boundary, or for the given labels of its facets. With handles, it may need splits of "
-             "boundary edges: refinement_mode(Refinement_mode::BOUNDARY).";
+      return "No polycube was found for the boundary, or for the given labels of its facets. Permit splits of boundary edges: "
+             "refinement_mode(Refinement_mode::BOUNDARY). If they are permitted, simplify the boundary.";
     case ERROR_SPACING_TOO_COARSE:
       return "At multiples of the spacing, faces of the polycube would merge. Make the spacing smaller.";
     case ERROR_DOMAIN_NOT_AXIS_PARALLEL:
