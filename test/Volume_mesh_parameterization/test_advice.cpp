@@ -254,6 +254,7 @@ TEST_CASE("A boundary that is too coarse for a cube is mapped once it is refined
       split.points, split.cells, targets, params::boundary_parameterizer(cube).refinement_mode(mode));
     CHECK((result.status == VMP::OK) == (mode == VMP::Refinement_mode::BOUNDARY));
     CHECK((result.number_of_added_boundary_vertices > 0) == (mode == VMP::Refinement_mode::BOUNDARY));
+    CHECK(result.number_of_added_boundary_vertices < 120); // 138 with splits that the edges of the cube do not need
   }
 }
 
