@@ -530,7 +530,16 @@ TEST_CASE("a limit of time leaves a valid complex, which another call refines fu
     explicit Patient_visitor(const std::size_t patience) : patience(patience) {}
     bool goes_on() { return patience > 0 && patience-- > 0; }
   };
-  Patient_visitor visitor(built.c3t3.number_of_cells_in_complex() + before.edges / 2); // one question a cell comes first
+  const auto boundary = boundary_vertices(built.c3t3);
+  const auto has_bad_edge = [&](const auto& cell) // or one of the boundary: a question for each such cell comes first
+  {
+    int number = 0;
+    for(int i = 0; i < 4; ++i)
+      number += boundary.count(cell.vertex(i)) != 0;
+    return number > 1;
+  };
+  const auto number = std::count_if(built.c3t3.cells_in_complex_begin(), built.c3t3.cells_in_complex_end(), has_bad_edge);
+  Patient_visitor visitor(number + before.edges / 2);
   Inserted<Remeshing_C3t3> inserted;
   const std::size_t n = VMP::make_parameterizable(built.c3t3, params::visitor(std::ref(visitor))
                                                                 .output_iterator(std::back_inserter(inserted)));

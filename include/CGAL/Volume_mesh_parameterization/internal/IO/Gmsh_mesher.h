@@ -300,8 +300,8 @@ inline void require_no_crossing(const Tetrahedron_soup_3& surface)
                     + ". Unite the solids that cross there in a CAD program, or save each of them in a file of its own");
 }
 
-// Fills a closed surface with new triangles on it, unless parts of it cross each other. Where Gmsh finds no parameters for these, triangles of the surface stay. Marks
-// that Gmsh returns are left out, as they are not those of the user.
+// Fills a closed surface with new triangles on it, unless parts of it cross each other. Where Gmsh finds no parameters for these,
+// triangles of the surface stay. Marks that Gmsh returns are left out, as they are not those of the user.
 inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_attempt& attempt)
 {
   const auto filled = [&](const bool is_meshed_anew)
