@@ -91,7 +91,7 @@ inline Vertex_condition_3 first_condition_3(const Vertex_condition_3& condition,
   const auto [point, d] = put_on_surface_3(condition, start);
   target = point;
   return condition.dimension() == 1 ? Vertex_condition_3::on_line(d[0], d[1], d[2])
-                                                          : Vertex_condition_3::in_plane(d[0], d[1], d[2]);
+                                    : Vertex_condition_3::in_plane(d[0], d[1], d[2]);
 }
 
 // Sets what the prescribed vertices of a body may do, and aligns the source to what is prescribed if a part of the boundary is

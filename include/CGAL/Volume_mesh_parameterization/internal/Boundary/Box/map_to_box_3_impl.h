@@ -316,7 +316,6 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_
     status = map_mesh_to_sphere_3(mesh, sphere, budget);
   if(status != OK)
     return status;
-  const Boundary_mesh_3 unrefined = mesh;
   Box_paths_3 paths = {};
   const auto map = [&]
   { return map_mesh_to_box_3(mesh, sphere, surface.sharp_edges, half_lengths, corners, images, paths, budget); };
@@ -327,7 +326,11 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_
     status = map();
   }
   if(status == OK && splits != nullptr && !splits->empty())
-    leave_out_splits_3(unrefined, sphere, half_lengths, std::move(paths), images, *splits, budget);
+  {
+    Boundary_mesh_3 unrefined;
+    build_boundary_mesh_3(surface, unrefined);
+    leave_out_splits_3(std::move(unrefined), sphere, half_lengths, std::move(paths), images, *splits, budget);
+  }
   return status;
 }
 
