@@ -65,7 +65,7 @@ private:
     std::vector<Halfedge> result;
     for(const Halfedge k : CGAL::halfedges_around_source(m_mesh.target(h), m_mesh))
       if(is_inside(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
-         && edge(k).dot(edge(h)) > cosine_of_smooth_turn() * edge(k).norm() * edge(h).norm())
+         && !turns_sharply(edge(h), edge(k)))
         result.push_back(k);
     return result;
   }

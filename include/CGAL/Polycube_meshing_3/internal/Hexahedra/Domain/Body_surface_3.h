@@ -130,16 +130,9 @@ private:
   // Finds the points where lines end or turn, or more than two edges of them meet.
   void find_ends(const std::vector<Vector_3>& points)
   {
-    std::map<std::size_t, std::vector<Vector_3> > directions;
-    for(const auto& [v, w] : m_edges_of_lines)
-    {
-      const Vector_3 d = (points[w] - points[v]).stableNormalized();
-      directions[v].push_back(d);
-      directions[w].push_back(-d);
-    }
-    for(const auto& [v, d] : directions)
-      if(d.size() != 2 || -d[0].dot(d[1]) < cosine_of_smooth_turn())
-        m_ends.push_back(points[v]);
+    const auto point = [&](const std::size_t v) { return points[v]; };
+    for(const std::size_t v : corners_of_curves(neighbors_along_edges(m_edges_of_lines), point))
+      m_ends.push_back(points[v]);
   }
 
   void find_corners(const std::vector<std::size_t>& marked, const std::vector<Vector_3>& points)

@@ -16,73 +16,11 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Polyline_3.h>
 
 #include <memory>
 
 namespace CGAL::Polycube_meshing_3::internal {
-
-// Curve through points, by the length from its first point.
-class Polyline_3
-{
-public:
-  explicit Polyline_3(std::vector<Vector_3> points) : m_points(std::move(points)), m_lengths{ 0 }
-  {
-    for(std::size_t i = 1; i < m_points.size(); ++i)
-      m_lengths.push_back(m_lengths.back() + (m_points[i] - m_points[i - 1]).norm());
-  }
-
-  const std::vector<Vector_3>& points() const { return m_points; }
-  double length() const { return m_lengths.back(); }
-
-  Vector_3 point(const double length) const
-  {
-    const std::size_t next = std::clamp<std::size_t>(
-      std::upper_bound(m_lengths.begin(), m_lengths.end(), length) - m_lengths.begin(), 1, m_points.size() - 1);
-    const double part = (length - m_lengths[next - 1]) / (m_lengths[next] - m_lengths[next - 1]);
-    return m_points[next - 1] + std::clamp(part, 0., 1.) * (m_points[next] - m_points[next - 1]);
-  }
-
-  // Returns the lengths of inner points which make, with both ends, a polyline within a distance of all points.
-  std::vector<double> bends(const double distance) const
-  {
-    std::vector<double> result;
-    for(std::size_t first = 0, last = 1; last + 1 < m_points.size(); ++last)
-      if(deviation(first, last + 1) > distance)
-      {
-        result.push_back(m_lengths[last]);
-        first = last;
-      }
-    return result;
-  }
-
-  // Returns the distance of a point, and the length at which the curve is nearest to it.
-  std::pair<double, double> nearest(const Vector_3& p) const
-  {
-    std::pair<double, double> result = { (std::numeric_limits<double>::infinity)(), 0 };
-    for(std::size_t i = 1; i < m_points.size(); ++i)
-    {
-      const Vector_3 way = m_points[i] - m_points[i - 1];
-      const double part = std::clamp(way.dot(p - m_points[i - 1]) / way.squaredNorm(), 0., 1.);
-      result = (std::min)(result, { (m_points[i - 1] + part * way - p).norm(), m_lengths[i - 1] + part * way.norm() });
-    }
-    return result;
-  }
-
-private:
-  // Returns the largest distance of the points between two others from the segment between these.
-  double deviation(const std::size_t first, const std::size_t last) const
-  {
-    const Polyline_3 chord({ m_points[first], m_points[last] });
-    double result = 0;
-    for(std::size_t i = first + 1; i < last; ++i)
-      result = (std::max)(result, chord.nearest(m_points[i]).first);
-    return result;
-  }
-
-  std::vector<Vector_3> m_points;
-  std::vector<double> m_lengths;
-};
 
 // Part of a curve of the body between two corners of its complex, and the patches on its left and right, seen from outside.
 struct Arc_3
@@ -116,7 +54,9 @@ public:
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
     const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
-    find_patches(std::set<Edge>(edges.begin(), edges.end()));
+    for_each_edge(m_facets, [&](const auto begin, const auto end) { m_is_manifold = m_is_manifold && end - begin == 2; });
+    m_patches = patches_of_facets(m_facets, edges);
+    m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
     collect_ends();
     find_surfaces();
@@ -161,23 +101,6 @@ public:
 private:
   using Edge = std::array<std::size_t, 2>;
 
-  // Joins facets across edges that are not sharp, and finds the facet on the left of each directed edge.
-  void find_patches(const std::set<Edge>& sharp)
-  {
-    Disjoint_sets sets(m_facets.size());
-    for_each_edge(m_facets, [&](const auto begin, const auto end)
-    {
-      m_is_manifold = m_is_manifold && end - begin == 2;
-      if(sharp.count(begin->first) == 0)
-        for(auto it = begin + 1; it != end; ++it)
-          sets.unite(begin->second[0] / 3, it->second[0] / 3);
-    });
-    m_patches = sets.numbers();
-    for(std::size_t f = 0; f < m_facets.size(); ++f)
-      for(std::size_t i = 0; i < 3; ++i)
-        m_left[{ m_facets[f][i], m_facets[f][(i + 1) % 3] }] = f;
-  }
-
   std::size_t patch_on_left(const std::size_t v, const std::size_t w) const
   {
     const auto found = m_left.find({ v, w });
@@ -195,53 +118,25 @@ private:
       const auto found = references.find(sorted(Edge{ v, w }));
       return found == references.end() ? 0 : found->second;
     };
-    std::map<std::size_t, int> number_at; // of sharp edges, also of seams
-    std::map<std::size_t, std::vector<std::size_t> > next;
-    for(const auto& [v, w] : edges)
-    {
-      ++number_at[v];
-      ++number_at[w];
-      if(patch_on_left(v, w) == patch_on_left(w, v))
-        continue;
-      next[v].push_back(w);
-      next[w].push_back(v);
-    }
+    const Neighbors_along_edges all = neighbors_along_edges(edges);
+    std::vector<Edge> without_seams = edges;
+    without_seams.erase(std::remove_if(without_seams.begin(), without_seams.end(), [&](const Edge& e)
+    { return patch_on_left(e[0], e[1]) == patch_on_left(e[1], e[0]); }), without_seams.end());
+    const Neighbors_along_edges next = neighbors_along_edges(without_seams);
     const std::set<std::size_t> marked(soup.corners.begin(), soup.corners.end());
     std::set<std::size_t> corners;
     for(const auto& [v, around] : next)
     {
-      const auto direction = [&, v = v](const std::size_t w) { return (m_points[w] - m_points[v]).stableNormalized(); };
       const auto turns = [&, v = v](const std::size_t w, const std::size_t x)
       {
         return reference(v, w) != reference(v, x)
-          || (reference(v, w) == 0 && -direction(w).dot(direction(x)) < cosine_of_smooth_turn());
+          || (reference(v, w) == 0 && turns_sharply(m_points[v] - m_points[w], m_points[x] - m_points[v]));
       };
-      if(around.size() != 2 || number_at[v] != 2 || marked.count(v) > 0 || turns(around[0], around[1]))
+      if(around.size() != 2 || all.at(v).size() != 2 || marked.count(v) > 0 || turns(around[0], around[1]))
         corners.insert(v);
     }
-    std::set<Edge> used;
-    const auto follow = [&](const std::size_t first, const std::size_t second)
-    {
-      std::vector<std::size_t> vertices = { first, second };
-      used.insert(sorted(Edge{ first, second }));
-      while(corners.count(vertices.back()) == 0 && vertices.back() != first)
-      {
-        const std::vector<std::size_t>& around = next[vertices.back()];
-        vertices.push_back(around[0] == vertices[vertices.size() - 2] ? around[1] : around[0]);
-        used.insert(sorted(Edge{ vertices[vertices.size() - 2], vertices.back() }));
-      }
-      add_curve(vertices, reference(first, second));
-    };
-    const auto follow_all = [&](const std::size_t v, const std::vector<std::size_t>& around)
-    {
-      for(const std::size_t w : around)
-        if(used.count(sorted(Edge{ v, w })) == 0)
-          follow(v, w);
-    };
-    for(const std::size_t v : corners)
-      follow_all(v, next[v]);
-    for(const auto& [v, around] : next) // of closed curves without a corner
-      follow_all(v, around);
+    for(const std::vector<std::size_t>& vertices : curves_along_edges(next, corners))
+      add_curve(vertices, reference(vertices[0], vertices[1]));
     for(std::size_t a = 0; a < m_arcs.size(); ++a)
       for(const std::size_t v : { m_arcs[a].vertices.front(), m_arcs[a].vertices.back() })
         if(m_numbers.emplace(v, m_corners.size()).second)
@@ -333,6 +228,5 @@ private:
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal
-
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_BODY_COMPLEX_3_H

@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Surface_on_sphere_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Polyline_3.h>
 
 #include <map>
 #include <set>
@@ -24,66 +25,44 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 // Vertices of a surface, each with the point that it is pulled to.
 using Goals_3 = std::map<int, Vector_3>;
 
-inline double distance_to_segment(const Vector_3& p, const Vector_3& begin, const Vector_3& end)
-{
-  const Vector_3 d = end - begin;
-  const double t = (p - begin).dot(d) / d.squaredNorm();
-  return (p - begin - (std::min)((std::max)(t, 0.), 1.) * d).norm();
-}
-
 // Points along sharp edges, from one corner to another one, or around a closed curve, whose first point is also the last one. The
-// part of the length is the coordinate on the curve. It goes on beyond 0 and 1 around a closed curve.
+// length from the first point is the coordinate on the curve. Around a closed curve, it goes on beyond both ends.
 struct Feature_curve_3
 {
   std::vector<std::size_t> vertices;
-  std::vector<Vector_3> points;
-  std::vector<double> parts; // of the length, up to each point
+  Polyline_3 line;
 
   bool is_closed() const { return vertices.front() == vertices.back(); }
 
-  // Returns the index of the vertex at the end of the edge at a part.
-  std::size_t end_of_edge_at(const double part) const
-  {
-    return static_cast<std::size_t>(std::upper_bound(parts.begin() + 1, parts.end() - 1, turned_back(part)) - parts.begin());
-  }
+  // Returns the index of the vertex at the end of the edge at a length.
+  std::size_t end_of_edge_at(const double length) const { return line.end_of_edge_at(turned_back(length)); }
+  Vector_3 point(const double length) const { return line.point(turned_back(length)); }
 
-  Vector_3 point(const double part) const
-  {
-    const std::size_t i = end_of_edge_at(part);
-    const double t = (turned_back(part) - parts[i - 1]) / (parts[i] - parts[i - 1]);
-    return t <= 0 ? points[i - 1] : t >= 1 ? points[i] : points[i - 1] + t * (points[i] - points[i - 1]);
-  }
-
-  // Returns the largest distance of a vertex between two parts from the segment that joins their points, and the part at this
+  // Returns the largest distance of a vertex between two lengths from the segment that joins their points, and the length at this
   // vertex; the middle without a vertex.
   std::pair<double, double> farthest_vertex(const double first, const double last) const
   {
+    const Polyline_3 chord({ point(first), point(last) });
     std::pair<double, double> result(0, (first + last) / 2);
-    for(std::size_t i = 0; i < parts.size(); ++i)
-      for(const double part : { parts[i] - 1, parts[i], parts[i] + 1 })
-        if((part - first) * (part - last) < 0)
-          result = (std::max)(result, { distance_to_segment(points[i], point(first), point(last)), part });
+    for(std::size_t i = 0; i < vertices.size(); ++i)
+      for(const int turns : { -1, 0, 1 })
+        if(const double length = line.lengths()[i] + turns * line.length(); (length - first) * (length - last) < 0)
+          result = (std::max)(result, { chord.nearest(line.points()[i]).first, length });
     return result;
   }
 
-  double distance(const Vector_3& p) const
+  // Returns the length up to the nearest vertex.
+  double length_to_vertex_near(const Vector_3& p) const
   {
-    double result = (std::numeric_limits<double>::infinity)();
-    for(std::size_t i = 1; i < points.size(); ++i)
-      result = (std::min)(result, distance_to_segment(p, points[i - 1], points[i]));
-    return result;
-  }
-
-  // Returns the part of the length up to the nearest vertex.
-  double nearest_part(const Vector_3& p) const
-  {
+    const std::vector<Vector_3>& points = line.points();
     const auto nearest = std::min_element(points.begin(), points.end(), [&](const Vector_3& q, const Vector_3& r)
     { return (q - p).squaredNorm() < (r - p).squaredNorm(); });
-    return parts[static_cast<std::size_t>(nearest - points.begin())];
+    return line.lengths()[static_cast<std::size_t>(nearest - points.begin())];
   }
 
 private:
-  double turned_back(const double part) const { return is_closed() ? part - std::floor(part) : part; }
+  double turned_back(const double length) const
+  { return is_closed() ? length - std::floor(length / line.length()) * line.length() : length; }
 };
 
 // Where vertices and edges of a surface meet features of a target.
@@ -126,30 +105,34 @@ public:
     }
     if(features.edges.empty())
       return;
-    std::set<std::array<std::size_t, 2> > borders, borders_of_target;
+    Edges borders, borders_of_target;
     for(const auto& [edge, part] : features.edges)
     {
-      borders.insert(edge);
+      borders.push_back(edge);
       const std::vector<std::size_t>& vertices = part.curve->vertices;
       for(std::size_t i = 1; i < vertices.size(); ++i)
-        borders_of_target.insert(sorted(std::array<std::size_t, 2>{ vertices[i - 1], vertices[i] }));
+        borders_of_target.push_back(sorted(Edge{ vertices[i - 1], vertices[i] }));
     }
-    const Regions regions(facets, borders), regions_of_target(facets_of_target, borders_of_target);
+    std::sort(borders_of_target.begin(), borders_of_target.end());
+    const std::vector<std::size_t> regions = patches_of_facets(facets, borders),
+                                   regions_of_target = patches_of_facets(facets_of_target, borders_of_target);
+    const auto left = facets_on_left(facets), left_of_target = facets_on_left(facets_of_target);
     std::map<std::size_t, std::set<std::size_t> > partners;
     for(const auto& [edge, part] : features.edges)
     {
       const std::size_t i = part.curve->end_of_edge_at((part.first + part.last) / 2);
-      std::array<std::size_t, 2> alike = { part.curve->vertices[i - 1], part.curve->vertices[i] };
+      Edge alike = { part.curve->vertices[i - 1], part.curve->vertices[i] };
       if(part.last < part.first)
         std::swap(alike[0], alike[1]);
-      partners[regions.left_of(edge[0], edge[1])].insert(regions_of_target.left_of(alike[0], alike[1]));
-      partners[regions.left_of(edge[1], edge[0])].insert(regions_of_target.left_of(alike[1], alike[0]));
+      for(const std::size_t side : { 0, 1 })
+        partners[regions[left.at({ edge[side], edge[1 - side] })]].insert(
+          regions_of_target[left_of_target.at({ alike[side], alike[1 - side] })]);
     }
     std::map<std::size_t, Facets> facets_of_regions;
     for(std::size_t f = 0; f < facets_of_target.size(); ++f)
-      facets_of_regions[regions_of_target.numbers[f]].push_back(facets_of_target[f]);
+      facets_of_regions[regions_of_target[f]].push_back(facets_of_target[f]);
     for(std::size_t f = 0; f < facets.size(); ++f)
-      if(const std::set<std::size_t>& found = partners[regions.numbers[f]]; found.size() == 1)
+      if(const std::set<std::size_t>& found = partners[regions[f]]; found.size() == 1)
       {
         const std::size_t region = *found.begin();
         const Surface_on_sphere_3& surface = m_regions.try_emplace(region, target, facets_of_regions[region]).first->second;
@@ -173,26 +156,8 @@ public:
   }
 
 private:
-  // Facets between edges.
-  struct Regions
-  {
-    std::map<std::array<std::size_t, 2>, std::size_t> facets_of_halfedges; // on the left
-    std::vector<std::size_t> numbers;                                      // of the regions of facets
-
-    Regions(const Facets& facets, const std::set<std::array<std::size_t, 2> >& borders)
-    {
-      for(std::size_t f = 0; f < facets.size(); ++f)
-        for(std::size_t i = 0; i < 3; ++i)
-          facets_of_halfedges[{ facets[f][i], facets[f][(i + 1) % 3] }] = f;
-      Disjoint_sets sets(facets.size());
-      for(const auto& [halfedge, f] : facets_of_halfedges)
-        if(borders.count(sorted(halfedge)) == 0)
-          sets.unite(f, facets_of_halfedges.at({ halfedge[1], halfedge[0] }));
-      numbers = sets.numbers();
-    }
-
-    std::size_t left_of(const std::size_t v, const std::size_t w) const { return numbers[facets_of_halfedges.at({ v, w })]; }
-  };
+  using Edge = std::array<std::size_t, 2>;
+  using Edges = std::vector<Edge>;
 
   std::map<int, Surface_position_3> m_positions;
   std::map<std::size_t, Surface_on_sphere_3> m_regions;
@@ -203,40 +168,16 @@ private:
 inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& surface, const bool do_end_at_turns)
 {
   const auto point = [&](const std::size_t v) { return surface.points[v]; };
-  const Feature_curves_3 features(sharp_edges_3(surface.facets, surface.sharp_edges, point), arrays_of(surface.points));
-  const auto is_corner = [&](const std::size_t v)
-  { return do_end_at_turns ? features.is_corner(v) : features.edges_of_vertices().at(v).size() != 2; };
-  std::vector<bool> is_done(features.edges().size(), false);
+  const Neighbors_along_edges neighbors = neighbors_along_edges(sharp_edges_3(surface.facets, surface.sharp_edges, point));
+  const std::set<std::size_t> corners = corners_of_curves(neighbors, point, do_end_at_turns);
   std::vector<Feature_curve_3> result;
-  const auto follow = [&](const std::size_t first, std::size_t edge)
+  for(const std::vector<std::size_t>& vertices : curves_along_edges(neighbors, corners))
   {
-    Feature_curve_3 curve;
-    double length = 0;
-    for(std::size_t v = first; ; )
-    {
-      length += curve.points.empty() ? 0 : (surface.points[v] - curve.points.back()).norm();
-      curve.vertices.push_back(v);
-      curve.points.push_back(surface.points[v]);
-      curve.parts.push_back(length);
-      if(curve.vertices.size() > 1 && (v == first || is_corner(v)))
-        break;
-      const auto& at = features.edges_of_vertices().at(v);
-      edge = is_done[edge] ? (at[0] == edge ? at[1] : at[0]) : edge;
-      is_done[edge] = true;
-      const auto& [a, b] = features.edges()[edge];
-      v = a == v ? b : a;
-    }
-    for(double& part : curve.parts)
-      part /= length;
-    result.push_back(std::move(curve));
-  };
-  for(const auto& [v, at] : features.edges_of_vertices())
-    for(const std::size_t edge : at)
-      if(is_corner(v) && !is_done[edge])
-        follow(v, edge);
-  for(std::size_t edge = 0; edge < is_done.size(); ++edge)
-    if(!is_done[edge])
-      follow(features.edges()[edge][0], edge);
+    std::vector<Vector_3> points;
+    for(const std::size_t v : vertices)
+      points.push_back(surface.points[v]);
+    result.push_back({ vertices, Polyline_3(points) });
+  }
   return result;
 }
 
@@ -310,7 +251,7 @@ inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>&
       return infinity;
     double distance = 0;
     for(const double part : { 0.25, 0.5, 0.75 })
-      distance += d.distance(image_at(c, part)) / 3;
+      distance += d.line.nearest(image_at(c, part)).first / 3;
     return distance < bound ? distance : infinity;
   });
   const std::size_t number_of_curves = (std::max)(curves.size(), curves_of_target.size());
@@ -320,10 +261,12 @@ inline Matched_features_3 matched_features_3(const std::vector<Feature_curve_3>&
   for(const auto& [i, j] : pairs_of_curves)
   {
     const Feature_curve_3 &c = curves[i], &d = curves_of_target[j];
-    const double begin = c.is_closed() ? d.nearest_part(image_at(c, 0)) : is_alike(c, d) ? 0 : 1;
-    const double quarter = d.nearest_part(image_at(c, 0.25)) - begin;
-    const double sign = c.is_closed() ? (quarter - std::floor(quarter) < 0.5 ? 1 : -1) : is_alike(c, d) ? 1 : -1;
-    const auto part = [&](const std::size_t k) { return begin + sign * c.parts[k]; };
+    const double length = d.line.length();
+    const auto nearest = [&](const double part) { return d.length_to_vertex_near(image_at(c, part)); };
+    const double begin = c.is_closed() ? nearest(0) : is_alike(c, d) ? 0 : length;
+    const bool is_forward = c.is_closed() ? std::fmod(nearest(0.25) - begin + length, length) < length / 2 : is_alike(c, d);
+    const auto part = [&](const std::size_t k)
+    { return begin + (is_forward ? 1 : -1) * c.line.lengths()[k] / c.line.length() * length; };
     for(std::size_t k = 0; k < c.vertices.size(); ++k)
       result.points.emplace(static_cast<int>(c.vertices[k]), d.point(part(k)));
     for(std::size_t k = 1; k < c.vertices.size(); ++k)

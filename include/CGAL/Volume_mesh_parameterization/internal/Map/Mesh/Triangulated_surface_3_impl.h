@@ -206,11 +206,19 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
   m_patches = trees_of_groups<Triangles_with_tree_3>(in_space, patches, exponent);
   m_surface = m_patches.size() == 1 ? m_patches : std::vector{ Any_surface_3(Triangles_with_tree_3(in_space, exponent)) };
 
-  const Feature_curves_3 curves(std::move(edges), points);
+  const Neighbors_along_edges neighbors = neighbors_along_edges(edges);
+  const std::set<std::size_t> corners
+    = corners_of_curves(neighbors, [&](const std::size_t v) { return to_vector(points[v]); });
+  const std::vector<std::vector<std::size_t> > curves = curves_along_edges(neighbors, corners);
   std::vector<AABB_trees_3::Kernel::Segment_3> segments;
-  for(const auto& [v, w] : curves.edges())
-    segments.emplace_back(point(v), point(w));
-  m_curves = trees_of_groups<Segments_with_tree_3>(segments, curves.curves(), exponent);
+  std::vector<std::size_t> curves_of_segments;
+  for(std::size_t c = 0; c < curves.size(); ++c)
+    for(std::size_t i = 1; i < curves[c].size(); ++i)
+    {
+      segments.emplace_back(point(curves[c][i - 1]), point(curves[c][i]));
+      curves_of_segments.push_back(c);
+    }
+  m_curves = trees_of_groups<Segments_with_tree_3>(segments, curves_of_segments, exponent);
 
   std::map<std::size_t, std::set<std::size_t> > patches_of_points;
   for(std::size_t t = 0; t < triangles.size(); ++t)
@@ -219,9 +227,9 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
   for(const auto& [v, around] : patches_of_points)
     if(around.size() == 1) // even at the end of a curve inside of it: that vertex is a corner below
       m_conditions[v] = Vertex_condition_3::on_surface(m_patches[*around.begin()]);
-  for(const auto& [v, at] : curves.edges_of_vertices())
-    m_conditions[v] = curves.is_corner(v) ? Vertex_condition_3::at_target()
-                                          : Vertex_condition_3::on_curve(m_curves[curves.curves()[at.front()]]);
+  for(std::size_t c = 0; c < curves.size(); ++c)
+    for(const std::size_t v : curves[c])
+      m_conditions[v] = corners.count(v) > 0 ? Vertex_condition_3::at_target() : Vertex_condition_3::on_curve(m_curves[c]);
 }
 
 } // namespace CGAL::Volume_mesh_parameterization

@@ -42,8 +42,12 @@ bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position, con
   return (are_oriented_alike ? 1 : -1) * cosine_between_facets(f, g, position) < cosine_of_sharp_edge;
 }
 
-// Returns the cosine of the turn up to which an edge of a curve of sharp edges goes on in the next one.
-inline double cosine_of_smooth_turn() { return std::sqrt(0.5); } // a guess; 45 degrees
+// Returns whether a curve of sharp edges ends between two of its edges, as it turns there.
+inline bool turns_sharply(const Vector_3& edge, const Vector_3& next)
+{
+  const double cosine_of_smooth_turn = std::sqrt(0.5); // a guess; 45 degrees
+  return edge.stableNormalized().dot(next.stableNormalized()) < cosine_of_smooth_turn;
+}
 
 // Returns whether the edge between two points leads along an axis, bit by bit, as edges of a polycube and lines in its faces do.
 inline bool leads_along_axis(const Vector_3& p, const Vector_3& q)
@@ -71,42 +75,86 @@ std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<V
   return found.empty() ? by_angle : found;
 }
 
-// Feature edges as curves, and the number of curves at each of their vertices, with two at a corner where a curve turns.
-class Feature_curves_3
+// Returns the numbers of the patches of facets, which are joined across all edges but sorted borders, the smaller vertex first.
+template <typename Vertex>
+std::vector<std::size_t> patches_of_facets(const std::vector<std::array<Vertex, 3> >& facets,
+                                           const std::vector<std::array<Vertex, 2> >& borders)
 {
-public:
-  using Edge = std::array<std::size_t, 2>;
-
-  Feature_curves_3(std::vector<Edge> edges, const std::vector<std::array<double, 3> >& points) : m_edges(std::move(edges))
+  Disjoint_sets sets(facets.size());
+  for_each_edge(facets, [&](const auto begin, const auto end)
   {
-    for(std::size_t e = 0; e < m_edges.size(); ++e)
-      for(const std::size_t v : m_edges[e])
-        m_edges_of_vertices[v].push_back(e);
-    Disjoint_sets sets(m_edges.size());
-    const auto direction_from = [&](const std::size_t v, const std::size_t e) -> Vector_3
-    {
-      const Vector_3 p = to_vector(points[m_edges[e][0]]), q = to_vector(points[m_edges[e][1]]);
-      return ((m_edges[e][0] == v ? 1 : -1) * (q - p)).stableNormalized();
-    };
-    for(const auto& [v, at] : m_edges_of_vertices)
-      if(at.size() == 2 && -direction_from(v, at[0]).dot(direction_from(v, at[1])) >= cosine_of_smooth_turn())
-        sets.unite(at[0], at[1]);
-      else
-        m_corners.insert(v);
-    m_curves = sets.numbers();
+    if(!std::binary_search(borders.begin(), borders.end(), begin->first))
+      for(auto it = begin + 1; it != end; ++it)
+        sets.unite(begin->second[0] / 3, it->second[0] / 3);
+  });
+  return sets.numbers();
+}
+
+// Returns the facet on the left of each directed edge.
+inline std::map<std::array<std::size_t, 2>, std::size_t> facets_on_left(const std::vector<std::array<std::size_t, 3> >& facets)
+{
+  std::map<std::array<std::size_t, 2>, std::size_t> result;
+  for(std::size_t f = 0; f < facets.size(); ++f)
+    for(std::size_t i = 0; i < 3; ++i)
+      result[{ facets[f][i], facets[f][(i + 1) % 3] }] = f;
+  return result;
+}
+
+using Neighbors_along_edges = std::map<std::size_t, std::vector<std::size_t> >;
+
+inline Neighbors_along_edges neighbors_along_edges(const std::vector<std::array<std::size_t, 2> >& edges)
+{
+  Neighbors_along_edges result;
+  for(const auto& [v, w] : edges)
+  {
+    result[v].push_back(w);
+    result[w].push_back(v);
   }
+  return result;
+}
 
-  const std::vector<Edge>& edges() const { return m_edges; }
-  const std::vector<std::size_t>& curves() const { return m_curves; } // of each edge
-  const std::map<std::size_t, std::vector<std::size_t> >& edges_of_vertices() const { return m_edges_of_vertices; }
-  bool is_corner(const std::size_t v) const { return m_corners.count(v) > 0; }
+// Returns the vertices where curves end: those without two neighbors, and if asked for, those where a curve turns sharply.
+template <typename Position>
+std::set<std::size_t> corners_of_curves(const Neighbors_along_edges& neighbors, const Position& position,
+                                        const bool do_end_at_turns = true)
+{
+  std::set<std::size_t> result;
+  for(const auto& [v, around] : neighbors)
+    if(around.size() != 2
+       || (do_end_at_turns && turns_sharply(position(v) - position(around[0]), position(around[1]) - position(v))))
+      result.insert(v);
+  return result;
+}
 
-private:
-  std::vector<Edge> m_edges;
-  std::vector<std::size_t> m_curves;
-  std::map<std::size_t, std::vector<std::size_t> > m_edges_of_vertices;
-  std::set<std::size_t> m_corners;
-};
+// Returns the vertices of curves between corners, among which all vertices without two neighbors are. A closed curve begins and
+// ends at the same vertex.
+inline std::vector<std::vector<std::size_t> > curves_along_edges(const Neighbors_along_edges& neighbors,
+                                                                 const std::set<std::size_t>& corners)
+{
+  std::set<std::array<std::size_t, 2> > used;
+  std::vector<std::vector<std::size_t> > result;
+  const auto follow_all = [&](const std::size_t first)
+  {
+    for(const std::size_t second : neighbors.at(first))
+      if(used.insert(sorted(std::array<std::size_t, 2>{ first, second })).second)
+      {
+        std::vector<std::size_t> curve = { first, second };
+        for(std::size_t v = second, last = first; corners.count(v) == 0 && v != first; curve.push_back(v))
+        {
+          const std::vector<std::size_t>& around = neighbors.at(v);
+          last = std::exchange(v, around[0] == last ? around[1] : around[0]);
+          used.insert(sorted(std::array<std::size_t, 2>{ last, v }));
+        }
+        result.push_back(std::move(curve));
+      }
+  };
+  for(const std::size_t v : corners)
+    if(neighbors.count(v) > 0)
+      follow_all(v);
+  for(const auto& [v, around] : neighbors) // of closed curves without a corner
+    follow_all(v);
+  return result;
+}
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
 
