@@ -125,6 +125,25 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
 // Curves of sharp edges of a surface and of its target.
 using Curves_of_pair_3 = std::array<std::vector<Feature_curve_3>, 2>;
 
+// Returns lists of curves that may be alike. A coarse circle may turn sharply, or not. Only one of the surfaces may have marks.
+inline std::vector<Curves_of_pair_3> curves_of_pair_3(const Numbered_surface_3& surface, const Numbered_surface_3& target)
+{
+  std::vector<std::array<Numbered_surface_3, 2> > pairs = { { surface, target } };
+  if(surface.sharp_edges.empty() != target.sharp_edges.empty())
+  {
+    pairs.push_back(pairs[0]);
+    for(Numbered_surface_3& unmarked : pairs[1])
+      unmarked.sharp_edges.clear();
+  }
+  std::vector<Curves_of_pair_3> result;
+  for(const auto& [first, second] : pairs)
+    for(const bool do_end_at_turns : { true, false })
+      if(Curves_of_pair_3 curves = { feature_curves_3(first, do_end_at_turns), feature_curves_3(second, do_end_at_turns) };
+         !curves[0].empty() && !curves[1].empty())
+        result.push_back(std::move(curves));
+  return result;
+}
+
 // Returns the ways in which the surface of a pair is turned, each with the features that it meets, by the first of several lists
 // of curves, or by one by which all are met. These ways, and then those with the least distortion, come first.
 inline std::vector<Surface_pair_3> sorted_ways(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
@@ -241,11 +260,7 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   Surface_pair_3 pair = { { &surface, &rings, directions }, { &target, &rings_of_target, directions_of_target } };
   for(const auto& [p, q] : landmarks)
     pair.goals.emplace(nearest_vertex(surface, p), to_vector(triangulated.nearest_point(coordinates(q)).point));
-  std::vector<Curves_of_pair_3> curves;
-  for(const bool do_end_at_turns : { true, false }) // a coarse circle may turn sharply, or not
-    curves.push_back({ feature_curves_3(surface, do_end_at_turns), feature_curves_3(target, do_end_at_turns) });
-  if(curves[0][0].empty() || curves[0][1].empty())
-    curves.clear();
+  const std::vector<Curves_of_pair_3> curves = curves_of_pair_3(surface, target);
   Surface_pair_3 best = { pair.surface, pair.target };
   const std::vector<Surface_pair_3> ways = sorted_ways(pair, landmarks, curves, smooth, budget);
   const bool have_features
