@@ -385,6 +385,9 @@ TEST_CASE("Surfaces as other programs write them enclose a body")
   const Soup turned = read(L + "4 5 11 6 0\n", ".off");
   CHECK(volume_of(turned) == Approx(3));
   CHECK(turned.notes == std::vector<std::string>{ "some triangles of the surface were turned over, and are turned" });
+  const std::string tetrahedron = "OFF\n4 4 0\n0 0 0\n3 0 0\n0 2 0\n0 0 1\n3 0 1 2\n3 0 3 1\n3 0 2 3\n"; // inside out
+  CHECK(volume_of(read(tetrahedron + "3 1 3 2\n", ".off")) == Approx(1));
+  CHECK(volume_of(read(tetrahedron + "3 1 2 3\n", ".off")) == Approx(1));
 
   // a tetrahedron with a point on an edge, where a triangle has no area
   const Soup flat = read("OFF\n5 6 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.5 0 0\n3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 0 3 2\n3 0 1 4\n",

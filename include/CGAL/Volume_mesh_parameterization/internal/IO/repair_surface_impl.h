@@ -188,13 +188,23 @@ inline void join_points(Tetrahedron_soup_3& surface, const double given_distance
   }
 }
 
-// Turns triangles until all turn alike. Only edges with two triangles are known to allow this.
+// Turns triangles until all turn alike, and outwards. Only edges with two triangles are known to allow this.
 inline void turn_triangles(Tetrahedron_soup_3& surface)
 {
-  if(!is_manifold(surface) || Triangulated_surface(surface.facets).is_oriented())
+  if(!is_manifold(surface))
     return;
   Polygon_soup soup(surface);
-  Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  const bool is_oriented = Triangulated_surface(surface.facets).is_oriented();
+  if(!is_oriented)
+    Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  double enclosed = 0;
+  for(const auto& t : soup.polygons)
+    enclosed += CGAL::volume(soup.points[0], soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  if(is_oriented && enclosed >= 0)
+    return;
+  if(enclosed < 0)
+    for(auto& t : soup.polygons)
+      std::swap(t[0], t[1]);
   soup.assign_to(surface);
   surface.notes.push_back("some triangles of the surface were turned over, and are turned");
 }
