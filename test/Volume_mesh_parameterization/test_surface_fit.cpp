@@ -194,17 +194,38 @@ TEST_CASE("Sharp edges and corners of the target are met by those of the body")
                            { { 0, 2, 1 }, { 0, 3, 2 }, { 4, 5, 6 }, { 4, 6, 7 }, { 0, 1, 5 }, { 0, 5, 4 },
                              { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 }, { 3, 0, 4 }, { 3, 4, 7 } } };
   VMP::Tetrahedron_soup_3 mesh = cube(4);
+  std::vector<std::array<std::size_t, 2> > marked; // the edges of the cube, and a ring where x is 0
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(std::size_t w = 0; w < v; ++w)
+      if(const Point &p = mesh.points[v], &q = mesh.points[w]; distance(p, q) == 0.5)
+      {
+        int number_of_faces = 0;
+        for(std::size_t i = 0; i < 3; ++i)
+          number_of_faces += p[i] == q[i] && std::abs(p[i]) == 1;
+        if(number_of_faces == 2 || (number_of_faces == 1 && p[0] == 0 && q[0] == 0))
+          marked.push_back({ v, w });
+      }
   for(Point& p : mesh.points)
     p[0] *= 2.2;
+  const auto check_corners = [](const Points& images)
+  {
+    for(const double x : { -2., 2. })
+      for(const double y : { -1., 1. })
+        for(const double z : { -1., 1. })
+          CHECK(std::any_of(images.begin(), images.end(), [&](const Point& p) { return distance(p, { x, y, z }) < 1e-12; }));
+  };
   Points uvw;
   REQUIRE(Fit(target.points, target.triangles).parameterize(mesh.points, mesh.cells, uvw) == VMP::OK);
-  for(const double x : { -2., 2. })
-    for(const double y : { -1., 1. })
-      for(const double z : { -1., 1. })
-        CHECK(std::any_of(uvw.begin(), uvw.end(), [&](const Point& p) { return distance(p, { x, y, z }) < 1e-12; }));
+  check_corners(uvw);
   const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mesh.cells, target.points, target.triangles);
   CHECK(fit.largest_distance_to_surface < 1e-12);
   CHECK(fit.largest_distance_from_surface < 0.005); // the error of the measure, a thousandth of the diagonal
+
+  mesh.edges = marked;
+  mesh.edge_references.assign(marked.size(), 1);
+  REQUIRE(CGAL::stretch_minimizing_volume_parameterization(
+            mesh, uvw, params::boundary_parameterizer(Fit(target.points, target.triangles))).status == VMP::OK);
+  check_corners(uvw);
 }
 
 TEST_CASE("Curved sharp edges are split where those of the target have vertices")

@@ -17,12 +17,15 @@
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
+// Edges of a surface, the smaller vertex first, in ascending order.
+using Sorted_edges = std::vector<std::array<std::size_t, 2> >;
+
 // Boundary of a body, with points of its own.
 struct Numbered_surface_3
 {
   std::vector<Vector_3> points;
   std::vector<std::array<std::size_t, 3> > facets; // counterclockwise as seen from outside
-  std::vector<std::array<std::size_t, 2> > sharp_edges;
+  Sorted_edges sharp_edges;
   std::vector<std::size_t> vertices;               // points of the body, each once, in the order of the facets
   const std::vector<std::array<std::size_t, 4> >* cells = nullptr; // cells of the body, by its points
 };

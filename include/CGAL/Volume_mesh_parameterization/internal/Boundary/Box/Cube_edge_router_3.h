@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
@@ -22,9 +23,6 @@
 #include <cmath>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Edges of a surface, the smaller vertex first, in ascending order.
-using Sorted_edges = std::vector<std::array<std::size_t, 2> >;
 
 // Returns the shortest path along edges, or an empty one. The length of an edge is multiplied by the cost of its end, which
 // is infinite for vertices that the path may not touch; the cost of the target does not matter. Cheap edges cost less.

@@ -125,22 +125,20 @@ inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, cons
 // Curves of sharp edges of a surface and of its target.
 using Curves_of_pair_3 = std::array<std::vector<Feature_curve_3>, 2>;
 
-// Returns lists of curves that may be alike. A coarse circle may turn sharply, or not. Only one of the surfaces may have marks.
+// Returns lists of curves that may be alike. Edges of a target are sharp by their angles, those of a surface may be marked.
+// A coarse circle may turn sharply, or not.
 inline std::vector<Curves_of_pair_3> curves_of_pair_3(const Numbered_surface_3& surface, const Numbered_surface_3& target)
 {
-  std::vector<std::array<Numbered_surface_3, 2> > pairs = { { surface, target } };
-  if(surface.sharp_edges.empty() != target.sharp_edges.empty())
-  {
-    pairs.push_back(pairs[0]);
-    for(Numbered_surface_3& unmarked : pairs[1])
-      unmarked.sharp_edges.clear();
-  }
+  const Sorted_edges by_angle = sharp_edges_by_angle(surface), of_target = sharp_edges_by_angle(target);
+  std::vector<Sorted_edges> lists = { surface.sharp_edges };
+  if(by_angle != surface.sharp_edges)
+    lists.push_back(by_angle);
   std::vector<Curves_of_pair_3> result;
-  for(const auto& [first, second] : pairs)
+  for(const Sorted_edges& edges : lists)
     for(const bool do_end_at_turns : { true, false })
-      if(Curves_of_pair_3 curves = { feature_curves_3(first, do_end_at_turns), feature_curves_3(second, do_end_at_turns) };
-         !curves[0].empty() && !curves[1].empty())
-        result.push_back(std::move(curves));
+      if(!edges.empty() && !of_target.empty())
+        result.push_back({ feature_curves_3(surface, edges, do_end_at_turns),
+                           feature_curves_3(target, of_target, do_end_at_turns) });
   return result;
 }
 

@@ -105,7 +105,7 @@ public:
     }
     if(features.edges.empty())
       return;
-    Edges borders, borders_of_target;
+    Sorted_edges borders, borders_of_target;
     for(const auto& [edge, part] : features.edges)
     {
       borders.push_back(edge);
@@ -157,18 +157,21 @@ public:
 
 private:
   using Edge = std::array<std::size_t, 2>;
-  using Edges = std::vector<Edge>;
 
   std::map<int, Surface_position_3> m_positions;
   std::map<std::size_t, Surface_on_sphere_3> m_regions;
   std::map<int, const Surface_on_sphere_3*> m_region_of_vertex;
 };
 
-// The curves of sharp edges of a surface, marked or found. They end where other ones begin, and if asked for, also at sharp turns.
-inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& surface, const bool do_end_at_turns)
+inline Sorted_edges sharp_edges_by_angle(const Numbered_surface_3& surface)
+{ return sharp_edges_3(surface.facets, {}, [&](const std::size_t v) { return surface.points[v]; }); }
+
+// Returns the curves of edges of a surface. They end where other ones begin, and if asked for, also at sharp turns.
+inline std::vector<Feature_curve_3> feature_curves_3(const Numbered_surface_3& surface, const Sorted_edges& edges,
+                                                     const bool do_end_at_turns)
 {
   const auto point = [&](const std::size_t v) { return surface.points[v]; };
-  const Neighbors_along_edges neighbors = neighbors_along_edges(sharp_edges_3(surface.facets, surface.sharp_edges, point));
+  const Neighbors_along_edges neighbors = neighbors_along_edges(edges);
   const std::set<std::size_t> corners = corners_of_curves(neighbors, point, do_end_at_turns);
   std::vector<Feature_curve_3> result;
   for(const std::vector<std::size_t>& vertices : curves_along_edges(neighbors, corners))
