@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soups/nearby_points.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -188,25 +189,34 @@ inline void join_points(Tetrahedron_soup_3& surface, const double given_distance
   }
 }
 
+// Returns the volume that a closed surface encloses, which is negative if its triangles turn inwards.
+inline double enclosed_volume(const Tetrahedron_soup_3& surface)
+{
+  const auto point = [&](const std::size_t v) { return exact_point(surface.points[v]); };
+  const auto origin = point(surface.facets[0][0]);
+  double result = 0;
+  for(const auto& [u, v, w] : surface.facets)
+    result += CGAL::volume(origin, point(u), point(v), point(w));
+  return result;
+}
+
 // Turns triangles until all turn alike, and outwards. Only edges with two triangles are known to allow this.
 inline void turn_triangles(Tetrahedron_soup_3& surface)
 {
   if(!is_manifold(surface))
     return;
-  Polygon_soup soup(surface);
   const bool is_oriented = Triangulated_surface(surface.facets).is_oriented();
   if(!is_oriented)
+  {
+    Polygon_soup soup(surface);
     Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
-  double enclosed = 0;
-  for(const auto& t : soup.polygons)
-    enclosed += CGAL::volume(soup.points[0], soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
-  if(is_oriented && enclosed >= 0)
-    return;
-  if(enclosed < 0)
-    for(auto& t : soup.polygons)
-      std::swap(t[0], t[1]);
-  soup.assign_to(surface);
-  surface.notes.push_back("some triangles of the surface were turned over, and are turned");
+    soup.assign_to(surface);
+  }
+  const bool is_inside_out = enclosed_volume(surface) < 0;
+  if(is_inside_out)
+    surface.facets = reversed(surface.facets);
+  if(!is_oriented || is_inside_out)
+    surface.notes.push_back("some triangles of the surface were turned over, and are turned");
 }
 
 inline void remove_flat_triangles(Tetrahedron_soup_3& surface)

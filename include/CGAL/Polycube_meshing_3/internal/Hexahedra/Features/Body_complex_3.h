@@ -54,7 +54,6 @@ public:
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
     const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
-    for_each_edge(m_facets, [&](const auto begin, const auto end) { m_is_manifold = m_is_manifold && end - begin == 2; });
     m_patches = patches_of_facets(m_facets, edges);
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
@@ -62,7 +61,7 @@ public:
     find_surfaces();
   }
 
-  bool is_manifold() const { return m_is_manifold; }
+  bool is_manifold() const { return m_left.size() == 3 * m_facets.size(); } // with one facet on the left of each directed edge
   std::size_t number_of_patches() const { return m_surfaces.size(); }
   std::size_t number_of_curves() const { return m_number_of_curves; }
   const std::vector<Vector_3>& points() const { return m_points; }
@@ -183,7 +182,7 @@ private:
         points.push_back(m_points[w]);
       m_lines.emplace_back(points);
     }
-    if(!m_is_manifold)
+    if(!is_manifold())
       return; // facets around a corner might not be in a circle
     for(Corner_3& corner : m_corners)
     {
@@ -215,7 +214,6 @@ private:
 
   const std::vector<Vector_3>& m_points;
   const std::vector<std::array<std::size_t, 3> > m_facets;
-  bool m_is_manifold = true;
   std::vector<std::size_t> m_patches; // of each facet
   std::map<Edge, std::size_t> m_left; // facet on the left of a directed edge
   std::size_t m_number_of_curves = 0;

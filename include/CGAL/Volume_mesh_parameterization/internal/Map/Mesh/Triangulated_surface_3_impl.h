@@ -194,15 +194,12 @@ Triangulated_surface_3::Triangulated_surface_3(const std::vector<std::array<doub
 
   const auto marked = sharp_edges_3(triangles, features, [&](const std::size_t v) { return to_vector(points[v]); });
   std::vector<std::array<std::size_t, 2> > edges;
-  Disjoint_sets sets(triangles.size());
   for_each_edge(triangles, [&](const auto begin, const auto end)
   {
     if(end - begin > 2 || std::binary_search(marked.begin(), marked.end(), begin->first))
       edges.push_back(begin->first);
-    else
-      sets.unite(begin->second[0] / 3, (end - 1)->second[0] / 3);
   });
-  const std::vector<std::size_t> patches = sets.numbers();
+  const std::vector<std::size_t> patches = patches_of_facets(triangles, edges);
   m_patches = trees_of_groups<Triangles_with_tree_3>(in_space, patches, exponent);
   m_surface = m_patches.size() == 1 ? m_patches : std::vector{ Any_surface_3(Triangles_with_tree_3(in_space, exponent)) };
 

@@ -149,8 +149,7 @@ inline std::vector<std::vector<std::size_t> > curves_along_edges(const Neighbors
       }
   };
   for(const std::size_t v : corners)
-    if(neighbors.count(v) > 0)
-      follow_all(v);
+    follow_all(v);
   for(const auto& [v, around] : neighbors) // of closed curves without a corner
     follow_all(v);
   return result;
