@@ -18,8 +18,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Shortest_paths.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Polyline_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -183,9 +185,8 @@ public:
 
     std::vector<std::size_t> order(m_paths.size()); // shorter ones first
     std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto length = [&](const std::size_t i) { return arc_lengths(m_faces.mesh, chain(i)).back(); };
     std::stable_sort(order.begin(), order.end(),
-                     [&](const std::size_t i, const std::size_t j) { return length(i) < length(j); });
+                     [&](const std::size_t i, const std::size_t j) { return chain(i).length() < chain(j).length(); });
     for(int attempt = 0; attempt < maximum_number_of_attempts && !budget.is_exhausted(); ++attempt)
     {
       const auto blocked = route(order);
@@ -199,8 +200,14 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Returns the vertices of a chain on the faces of voxels.
-  std::vector<Polycube_charts_3::Vertex> chain(const std::size_t i) const { return m_charts.vertices(m_charts.chains()[i]); }
+  // Returns a chain on the faces of voxels.
+  Polyline_3 chain(const std::size_t i) const
+  {
+    std::vector<Vector_3> points;
+    for(const auto v : m_charts.vertices(m_charts.chains()[i]))
+      points.push_back(m_faces.point(v));
+    return Polyline_3(std::move(points));
+  }
 
   // Routes the chains one after the other. Returns the first one that is blocked.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
@@ -229,29 +236,17 @@ private:
     return true;
   }
 
-  // Returns how much longer a path is at a vertex that is off the chain of the faces.
-  double factor(const Vector_3& p, const std::vector<Polycube_charts_3::Vertex>& chain) const
+  // Returns the vertices of a path around those in use, which is longer where it is off the chain of the faces; none if there is
+  // none.
+  std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to, const Polyline_3& chain) const
   {
     constexpr double weight = 20; // a guess
-    double least = (std::numeric_limits<double>::infinity)();
-    for(std::size_t i = 1; i < chain.size(); ++i)
-    {
-      const Vector_3 a = m_faces.point(chain[i - 1]), edge = m_faces.point(chain[i]) - a;
-      const double t = edge.squaredNorm() > 0 ? (std::min)((std::max)((p - a).dot(edge) / edge.squaredNorm(), 0.), 1.) : 0;
-      least = (std::min)(least, (a + t * edge - p).squaredNorm());
-    }
-    return 1 + weight * least / (m_spacing * m_spacing);
-  }
-
-  // Returns the vertices of a path around those in use; none if there is none.
-  std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to,
-                                         const std::vector<Polycube_charts_3::Vertex>& chain) const
-  {
+    const auto factor = [&](const Vector_3& p) { return 1 + weight * std::pow(chain.nearest(p).first / m_spacing, 2); };
     const auto for_each_edge = [&](const std::size_t v, const auto& reach)
     {
       for(const auto h : CGAL::halfedges_around_source(vertex_index(v), m_mesh))
         if(const std::size_t w = m_mesh.target(h); !m_is_used[w] || w == to)
-          reach(w, edge_vector(m_mesh, h).norm() * factor(to_vector(m_mesh.point(m_mesh.target(h))), chain));
+          reach(w, edge_vector(m_mesh, h).norm() * factor(to_vector(m_mesh.point(m_mesh.target(h)))));
     };
     return Shortest_paths(m_mesh.number_of_vertices(), std::array<std::size_t, 1>{ from }, for_each_edge,
                           [&](const std::size_t v) { return v == to; }).path_to(to);
