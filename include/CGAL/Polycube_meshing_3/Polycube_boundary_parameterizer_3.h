@@ -123,11 +123,6 @@ found for several weights, the one whose harmonic maps have the least distortion
 of the logarithms of the singular values. If its map is not valid, the next polycube is tried. If this polycube is bad, large faces
 that are oblique to the axes get their second direction, one after the other.
 
-<b>Narrow charts</b>. With a spacing, charts narrower than 0.3 times the spacing are flattened: their facets get the labels of the
-charts at their borders. This applies to steps and grooves, for which hexahedra have no room. A chart is not flattened if its
-neighbors have no valid polycube then. `Polycube_result::features_given_up` lists the sharp edges of flattened charts. With given
-labels, no chart is flattened.
-
 <b>Choice</b>. If the polycube of the labels costs much, or none is found, a topological sphere is also mapped to its bounding box.
 With `Refinement_mode::BOUNDARY`, `CGAL::stretch_minimizing_volume_parameterization()` also tries polycubes of voxels then, and
 splits edges of the boundary near edges of such a polycube. The cost is the distortion of the boundary, times the third root of

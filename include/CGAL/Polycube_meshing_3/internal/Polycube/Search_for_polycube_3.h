@@ -43,8 +43,6 @@ public:
   }
 
 private:
-  static constexpr double narrow_part = 0.3; // of the spacing, below which charts are flattened; a guess
-
   using Labels = Normal_labels_3::Labels;
 
   // Returns the polycube of the least distortion among those that can be finished.
@@ -55,7 +53,6 @@ private:
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
-      flatten_narrow_charts_3(m_mesh, narrow_part * m_surface.spacing / m_surface.box.diagonal().maxCoeff(), labels);
       if(!m_proposed.insert(labels).second)
         continue;
       for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)

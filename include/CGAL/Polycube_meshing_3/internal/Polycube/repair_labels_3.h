@@ -148,56 +148,6 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
   return false;
 }
 
-// Gives the faces of a chart to the charts at its border, from the border inwards.
-inline void give_away_chart(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts, const std::size_t chart,
-                            std::vector<std::size_t>& labels)
-{
-  std::vector<bool> is_left(labels.size(), false);
-  std::vector<Boundary_mesh_3::Halfedge_index> sides; // of faces that are left, beside others
-  for(const auto h : mesh.halfedges())
-    if(charts.chart(h) == chart)
-    {
-      is_left[mesh.face(h)] = true;
-      if(charts.chart(mesh.opposite(h)) != chart)
-        sides.push_back(h);
-    }
-  for(std::size_t i = 0; i < sides.size(); ++i)
-    if(const auto f = mesh.face(sides[i]); is_left[f])
-    {
-      is_left[f] = false;
-      labels[f] = labels[mesh.face(mesh.opposite(sides[i]))];
-      for(const auto h : CGAL::halfedges_around_face(mesh.halfedge(f), mesh))
-        sides.push_back(mesh.opposite(h));
-    }
-}
-
-// Gives charts narrower than a width away, if that makes no more defects: planes that are far nearer to each other than those of
-// a grid, as of a groove, become one.
-inline void flatten_narrow_charts_3(const Boundary_mesh_3& mesh, const double width, std::vector<std::size_t>& labels)
-{
-  if(width == 0)
-    return;
-  const Polycube_charts_3 charts(mesh, labels);
-  std::vector<double> areas(charts.number_of_charts(), 0), lengths(areas.size(), 0); // of their borders
-  for(const auto f : mesh.faces())
-    areas[charts.chart_of_face()[f]] += area_of_face(mesh, f);
-  for(const auto h : mesh.halfedges())
-    if(charts.chart(h) != charts.chart(mesh.opposite(h)))
-      lengths[charts.chart(h)] += edge_vector(mesh, h).norm();
-  int defects = charts.number_of_defects();
-  for(std::size_t c = 0; c < areas.size(); ++c)
-    if(2 * areas[c] < width * lengths[c]) // as of a strip
-    {
-      std::vector<std::size_t> candidate = labels;
-      give_away_chart(mesh, charts, c, candidate);
-      const int n = Polycube_charts_3(mesh, candidate).number_of_defects();
-      if(n > defects)
-        continue;
-      defects = n;
-      labels = std::move(candidate);
-    }
-}
-
 // Gives each face to the neighboring chart that suits it best. Returns whether any face changed its chart.
 inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                             const Normal_labels_3& costs, std::vector<std::size_t>& labels)
