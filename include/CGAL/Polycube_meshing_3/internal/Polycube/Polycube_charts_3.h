@@ -97,17 +97,6 @@ public:
   // Returns whether a chart is not valid, or a neighbor of such a chart.
   bool is_beside_invalid(const std::size_t chart) const { return m_is_beside_invalid[chart]; }
 
-  // Returns whether a chart with the label is next to the chart.
-  bool has_neighbor(const std::size_t chart, const std::size_t label) const
-  {
-    const auto is_between = [&](const std::array<std::size_t, 2>& charts)
-    {
-      return (charts[0] == chart && m_labels[charts[1]] == label) || (charts[1] == chart && m_labels[charts[0]] == label);
-    };
-    return std::any_of(m_borders.closed_chains.begin(), m_borders.closed_chains.end(), is_between)
-      || std::any_of(m_chains.begin(), m_chains.end(), [&](const auto& chain) { return is_between(chain.charts); });
-  }
-
   std::vector<Vertex> vertices(const Polycube_chain_3& chain) const
   {
     std::vector<Vertex> result(1, m_mesh.source(chain.halfedges.front()));

@@ -93,12 +93,11 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
 }
 
 // Gives charts that are not valid, and their neighbors, other labels, each at most once: the cheapest label with which there
-// are fewer defects. If there is none, a chart that is not valid is merged into a neighbor. Returns whether a label changed.
+// are fewer defects. Returns whether a label changed.
 inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
                            std::vector<std::size_t>& labels, const Budget& budget)
 {
   std::vector<std::size_t> best = charts.labels();
-  std::optional<std::vector<std::size_t> > merged;
   int defects = charts.number_of_defects();
   for(const Chart_relabelling_3& change : changes)
   {
@@ -108,19 +107,16 @@ inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Ch
       continue;
     std::vector<std::size_t> candidate = best;
     candidate[change.chart] = change.label;
-    const int n = charts.number_of_defects(candidate);
-    if(n < defects)
+    if(const int n = charts.number_of_defects(candidate); n < defects)
     {
       best = candidate;
       defects = n;
     }
-    else if(!merged && !charts.is_valid(change.chart) && charts.has_neighbor(change.chart, change.label))
-      merged = candidate;
   }
-  if(best == charts.labels() && !merged)
+  if(best == charts.labels())
     return false;
   for(std::size_t f = 0; f < labels.size(); ++f)
-    labels[f] = (best == charts.labels() ? *merged : best)[charts.chart_of_face()[f]];
+    labels[f] = best[charts.chart_of_face()[f]];
   return true;
 }
 
