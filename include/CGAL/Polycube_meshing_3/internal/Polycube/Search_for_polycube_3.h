@@ -15,6 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Polycube_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/repair_labels_3.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -27,9 +28,8 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Search_for_polycube_3
 {
 public:
-  // Takes the factor from one smoothing, the weight of the lengths of borders, to the next one.
-  Search_for_polycube_3(const Unit_surface_3& surface, const double factor, const Budget& budget)
-    : m_surface(surface), m_mesh(surface.mesh), m_factor(factor), m_budget(budget)
+  Search_for_polycube_3(const Unit_surface_3& surface, const Budget& budget)
+    : m_surface(surface), m_mesh(surface.mesh), m_budget(budget)
   {}
 
   // Returns the map to the best polycube.
@@ -48,8 +48,9 @@ private:
   // Returns the polycube of the least distortion among those that can be finished.
   Surface_map_3 proposed(Normal_labels_3 costs)
   {
+    const double factor = std::sqrt(2.); // a guess; from one smoothing, the weight of the lengths of borders, to the next one
     std::multimap<double, Polycube_map_3> maps; // by distortion
-    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= m_factor)
+    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= factor)
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
@@ -98,7 +99,6 @@ private:
 
   const Unit_surface_3& m_surface;
   const Boundary_mesh_3& m_mesh; // of the surface
-  const double m_factor;
   const Budget& m_budget;
   std::set<Labels> m_proposed, m_tried; // before and after repair
 };

@@ -16,16 +16,15 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Search_for_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Polycube/frames_of_normals_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_bodies_apart_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_bounding_box_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/rotation_to_axes_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <utility>
@@ -45,18 +44,15 @@ inline void add(const char* strategy, const Matrix_3& rotation, Surface_map_3 ma
                           { strategy, rotation, std::move(map), cost });
 }
 
-// Returns the surface as it is, or turned by each rotation that brings its normals close to the axes.
-inline std::vector<Turned_surface_3> frames_of_surface_3(const Polycube_problem_3& problem, const Boundary_mesh_3& mesh)
+// Returns the surface as it is, or turned such that its normals are close to the axes.
+inline Turned_surface_3 turned_surface_3(const Polycube_problem_3& problem, const Boundary_mesh_3& mesh)
 {
   const bool do_find_axes = problem.do_find_axes && problem.labels.empty();
-  const Turned_surface_3 unturned(problem.surface, mesh, Matrix_3::Identity());
-  std::vector<Turned_surface_3> result;
-  for(const Matrix_3& rotation : do_find_axes ? frames_of_normals_3(unturned.mesh) : std::vector<Matrix_3>{ unturned.rotation })
-  {
-    result.emplace_back(problem.surface, mesh, rotation);
-    result.back().spacing = problem.spacing;
-    result.back().may_move = do_find_axes;
-  }
+  Turned_surface_3 result(problem.surface, mesh, Matrix_3::Identity());
+  if(do_find_axes)
+    result = Turned_surface_3(problem.surface, mesh, rotation_to_axes_3(result.mesh));
+  result.spacing = problem.spacing;
+  result.may_move = do_find_axes;
   return result;
 }
 
@@ -64,42 +60,32 @@ inline std::vector<Turned_surface_3> frames_of_surface_3(const Polycube_problem_
 struct Polycube_strategy_3
 {
   const char* name;
-  bool is_possible, is_for_all_frames;
+  bool is_possible;
   double least_cost;
-  std::function<Surface_map_3(const Turned_surface_3&)> map;
+  std::function<Surface_map_3()> map;
 };
 
-// Maps a surface by all strategies that may lead to a cheaper polycube than those before: labels in all frames, the others in the
-// frame of the cheapest one.
-inline Found_polycubes_3 map_in_frames_3(const std::vector<Turned_surface_3>& frames, const bool may_split, const Budget& budget)
+// Maps a surface by all strategies that may lead to a cheaper polycube than those before.
+inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
-  const double factor = frames.size() > 2 ? 2 : std::sqrt(2.); // three frames have enough labels with fewer of each
-  const Error_code kind = check_sphere(frames.front().mesh);
+  const Error_code kind = check_sphere(turned.mesh);
   const bool is_connected = kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
   const auto map_body = [&](const Numbered_surface_3& body)
   {
-    const Found_polycubes_3 found = map_to_polycube_3({ body, {}, frames.front().spacing }, budget);
+    const Found_polycubes_3 found = map_to_polycube_3({ body, {}, turned.spacing }, budget);
     return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
   };
   const std::array<Polycube_strategy_3, 4> strategies = {{
-    { "labels", true, true, 0,
-      [&](const Turned_surface_3& frame) { return Search_for_polycube_3(frame, factor, budget).run(); } },
-    { "bounding box", kind == OK, false, 0.5,
-      [&](const Turned_surface_3& frame) { return map_to_bounding_box_3(frame, budget); } },
-    { "bodies side by side", !is_connected, false, (std::numeric_limits<double>::infinity)(),
-      [&](const Turned_surface_3& frame) { return map_bodies_apart_3(frame.surface, frame.spacing, map_body); } },
-    { "voxels", is_connected && may_split, false, 0.8,
-      [&](const Turned_surface_3& frame) { return map_to_voxels_3(frame, budget); } }
+    { "labels", true, 0, [&] { return Search_for_polycube_3(turned, budget).run(); } },
+    { "bounding box", kind == OK, 0.5, [&] { return map_to_bounding_box_3(turned, budget); } },
+    { "bodies side by side", !is_connected, (std::numeric_limits<double>::infinity)(),
+      [&] { return map_bodies_apart_3(turned.surface, turned.spacing, map_body); } },
+    { "voxels", is_connected && may_split, 0.8, [&] { return map_to_voxels_3(turned, budget); } }
   }};
   Found_polycubes_3 found;
-  const auto is_beaten = [&](const Polycube_strategy_3& strategy)
-  { return !found.candidates.empty() && found.candidates.front().cost < strategy.least_cost; };
-  const auto is_of_best = [&](const Turned_surface_3& frame)
-  { return frame.rotation == (found.candidates.empty() ? frames.front().rotation : found.candidates.front().rotation); };
   for(const Polycube_strategy_3& strategy : strategies)
-    for(const Turned_surface_3& frame : frames)
-      if(strategy.is_possible && !is_beaten(strategy) && (strategy.is_for_all_frames || is_of_best(frame)))
-        add(strategy.name, frame.rotation, strategy.map(frame), found);
+    if(strategy.is_possible && (found.candidates.empty() || !(found.candidates.front().cost < strategy.least_cost)))
+      add(strategy.name, turned.rotation, strategy.map(), found);
   return found;
 }
 
@@ -122,9 +108,9 @@ inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem
   Boundary_mesh_3 mesh;
   if(const Error_code status = build_boundary_mesh_3(problem.surface, mesh); status != OK)
     return { status };
-  const std::vector<Turned_surface_3> frames = frames_of_surface_3(problem, mesh);
-  Found_polycubes_3 found = problem.labels.empty() ? map_in_frames_3(frames, problem.may_split, budget)
-                                                   : map_to_labelled_polycube_3(frames.front(), problem.labels, budget);
+  const Turned_surface_3 turned = turned_surface_3(problem, mesh);
+  Found_polycubes_3 found = problem.labels.empty() ? map_by_strategies_3(turned, problem.may_split, budget)
+                                                   : map_to_labelled_polycube_3(turned, problem.labels, budget);
   if(found.status != OK && problem.spacing > 0)
   {
     Polycube_problem_3 without_spacing = problem;

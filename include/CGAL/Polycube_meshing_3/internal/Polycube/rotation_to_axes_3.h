@@ -7,8 +7,8 @@
 //
 // Author(s)     : the Volume_mesh_parameterization authors
 
-#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_FRAMES_OF_NORMALS_3_H
-#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_FRAMES_OF_NORMALS_3_H
+#ifndef CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ROTATION_TO_AXES_3_H
+#define CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ROTATION_TO_AXES_3_H
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -106,36 +107,25 @@ inline Matrix_3 least_turning(const Matrix_3& rotation)
   return result;
 }
 
-// Returns rotations that bring the normals of a surface close to the axes, at most three, the closest one first: those of
-// nearly the least distance among the minima that are reached from rotations by multiples of 30 degrees. The distance of the
-// identity need not be minimal: if it is nearly the least one, there is no other rotation.
-inline std::vector<Matrix_3> frames_of_normals_3(const Boundary_mesh_3& mesh)
+// Returns the rotation that brings the normals of a surface closest to the axes, among the minima that are reached from rotations
+// by multiples of 30 degrees. The distance of the identity need not be minimal: if it is nearly the least one, there is no other
+// rotation.
+inline Matrix_3 rotation_to_axes_3(const Boundary_mesh_3& mesh)
 {
   constexpr double tolerance = 0.003; // a guess: a cube that is turned by a sixth of a degree differs by it
   const Turned_normals_3 normals(mesh);
-  std::multimap<double, Matrix_3> minima; // by distance
+  std::pair<double, Matrix_3> best = { normals.distance(Matrix_3::Identity()) - tolerance, Matrix_3::Identity() };
   for(int i = 0; i < 27; ++i)
   {
     const auto turn = [](const int multiple, const int axis) -> Matrix_3
     { return Eigen::AngleAxisd(multiple * CGAL_PI / 6, Eigen::Vector3d::Unit(axis)).toRotationMatrix(); };
     const Matrix_3 rotation = normals.minimize(turn(i % 3, 0) * turn(i / 3 % 3, 1) * turn(i / 9, 2));
-    minima.emplace(normals.distance(rotation), rotation);
+    if(const double distance = normals.distance(rotation); distance < best.first)
+      best = { distance, rotation };
   }
-  const double bound = minima.begin()->first + tolerance;
-  std::vector<Matrix_3> result;
-  if(normals.distance(Matrix_3::Identity()) <= bound)
-    result.push_back(Matrix_3::Identity());
-  else
-    for(auto it = minima.begin(); it != minima.end() && it->first <= bound && result.size() < 3; ++it)
-    {
-      const auto is_other = [&](const Matrix_3& other) // by more than three degrees, a guess
-      { return least_turning(it->second * other.transpose()).trace() < 1 + 2 * std::cos(0.05); };
-      if(std::all_of(result.begin(), result.end(), is_other))
-        result.push_back(least_turning(it->second));
-    }
-  return result;
+  return least_turning(best.second);
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal
 
-#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_FRAMES_OF_NORMALS_3_H
+#endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_POLYCUBE_ROTATION_TO_AXES_3_H
