@@ -26,7 +26,7 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 inline std::vector<bool> points_of_bridges_3(const Body_3& body, const std::vector<bool>& is_prescribed, const Budget& budget)
 {
   std::vector<bool> result(is_prescribed.size(), false);
-  for_each_simplex_inside(body, Boundary_links_3(body), is_prescribed, budget, [&](const Simplex_3& simplex)
+  for_each_simplex_inside(body, is_prescribed, budget, [&](const Simplex_3& simplex)
   {
     for(const std::size_t p : simplex)
       result[p] = true;

@@ -227,8 +227,8 @@ inline Error_code map_mesh_to_box_3(const Boundary_mesh_3& mesh, const std::vect
 }
 
 // Splits edges whose images on the sphere are longer than a bound, the longest first. Vertices come to the middle of arcs.
-inline void split_long_edges_3(Boundary_mesh_3& mesh, std::vector<Vector_3>& sphere, const double bound,
-                               std::vector<std::array<std::size_t, 2> >& splits)
+inline void split_long_arcs_3(Boundary_mesh_3& mesh, std::vector<Vector_3>& sphere, const double bound,
+                              std::vector<std::array<std::size_t, 2> >& splits)
 {
   std::priority_queue<std::pair<double, Boundary_mesh_3::Edge_index> > queue;
   const auto length = [&](const auto e) { return (sphere[mesh.vertex(e, 0)] - sphere[mesh.vertex(e, 1)]).norm(); };
@@ -322,7 +322,7 @@ Error_code map_to_box_3(const Numbered_surface_3& surface, const Vector_3& half_
   status = map();
   for(auto bound = bounds.begin(); splits != nullptr && status == ERROR_BOUNDARY_TOO_COARSE && bound != bounds.end(); ++bound)
   {
-    split_long_edges_3(mesh, sphere, *bound, *splits);
+    split_long_arcs_3(mesh, sphere, *bound, *splits);
     status = map();
   }
   if(status == OK && splits != nullptr && !splits->empty())

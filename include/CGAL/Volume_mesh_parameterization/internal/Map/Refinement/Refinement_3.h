@@ -87,9 +87,9 @@ private:
 
 // Calls f for the edges, facets and cells inside that have marked points only, once for each of their cells.
 template <typename Function>
-void for_each_simplex_inside(const Body_3& body, const Boundary_links_3& boundary, const std::vector<bool>& is_marked,
-                             const Budget& budget, const Function& f)
+void for_each_simplex_inside(const Body_3& body, const std::vector<bool>& is_marked, const Budget& budget, const Function& f)
 {
+  const Boundary_links_3 boundary(body);
   for(const std::array<std::size_t, 4>& cell : body.cells)
   {
     Simplex_3 marked;

@@ -152,7 +152,7 @@ public:
   std::vector<Insertion_3> run(const std::vector<bool>& is_marked, const Budget& budget)
   {
     std::vector<Simplex_3> bad;
-    for_each_simplex_inside(m_body, Boundary_links_3(m_body), is_marked, budget, [&](const Simplex_3& simplex)
+    for_each_simplex_inside(m_body, is_marked, budget, [&](const Simplex_3& simplex)
     {
       if(m_is_bad(simplex))
         bad.push_back(simplex);
