@@ -395,7 +395,12 @@ TEST_CASE("Surfaces as other programs write them enclose a body")
   // and with another one on the same edge of that triangle, which makes it a polygon without area
   const Soup polygon = read("OFF\n6 7 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n.5 0 0\n.25 0 0\n3 0 2 1\n3 0 4 3\n3 4 1 3\n"
                             "3 1 2 3\n3 0 3 2\n4 0 1 4 5\n3 4 0 5\n", ".off");
-  for(const Soup& surface : { flat, polygon })
+  // and with a point that is on the edge up to rounding
+  const Soup rounded = read("OFF\n5 6 0\n0 0 0\n1 0 .3\n0 1 0\n0 0 1\n.1 0 .03\n3 0 2 1\n3 0 4 3\n3 4 1 3\n3 1 2 3\n3 0 3 2\n"
+                            "3 0 1 4\n", ".off");
+  CHECK_FALSE(CGAL::collinear(Exact_point(0, 0, 0), Exact_point(.1, 0, .03), Exact_point(1, 0, .3)));
+  CHECK(std::find(rounded.facets.begin(), rounded.facets.end(), std::array<std::size_t, 3>{ 0, 1, 4 }) == rounded.facets.end());
+  for(const Soup& surface : { flat, polygon, rounded })
   {
     CHECK(surface.facets.size() == 6);
     CHECK(surface.points.size() == 5);

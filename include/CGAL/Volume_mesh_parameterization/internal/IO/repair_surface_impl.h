@@ -22,8 +22,10 @@
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
 
@@ -116,21 +118,22 @@ inline void remove_unused(Tetrahedron_soup_3& surface)
   remove_unused_points(surface);
 }
 
+inline bool is_flat(const Tetrahedron_soup_3& surface, const std::array<std::size_t, 3>& triangle)
+{
+  constexpr double small_part = 1e-4; // a guess; the height of a flat triangle, relative to its longest edge
+  const auto [a, b] = edges_of_facet(triangle, [&](const std::size_t v) { return to_vector(surface.points[v]); });
+  const double longest = (std::max)({ a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm() });
+  return a.cross(b).norm() <= small_part * longest;
+}
+
 // Removes pairs of triangles without area, up to rounding, that have the same vertices: they enclose nothing. Polygons without
 // area become such triangles.
 inline void remove_flat_pairs(Tetrahedron_soup_3& surface)
 {
-  constexpr double small_part = 1e-4; // a guess; the height of a flat triangle, relative to its longest edge
-  const auto is_flat = [&](const std::array<std::size_t, 3>& triangle)
-  {
-    const auto [a, b] = edges_of_facet(triangle, [&](const std::size_t v) { return to_vector(surface.points[v]); });
-    const double longest = (std::max)({ a.squaredNorm(), b.squaredNorm(), (a - b).squaredNorm() });
-    return a.cross(b).norm() <= small_part * longest;
-  };
   std::map<std::array<std::size_t, 3>, std::size_t> last; // of each set of vertices
   std::set<std::size_t> removed;
   for(std::size_t t = 0; t < surface.facets.size(); ++t)
-    if(is_flat(surface.facets[t]))
+    if(is_flat(surface, surface.facets[t]))
     {
       const auto [entry, is_first] = last.emplace(sorted(surface.facets[t]), t);
       if(is_first)
@@ -219,16 +222,42 @@ inline void turn_triangles(Tetrahedron_soup_3& surface)
     surface.notes.push_back("some triangles of the surface were turned over, and are turned");
 }
 
+// Flips the longest edges of triangles whose area is zero up to rounding, and returns the number of flips.
+inline std::size_t flip_caps(Repaired_mesh& mesh)
+{
+  constexpr double cosine = -1 + 1e-12; // a guess, of the largest angle: the height is a millionth of the longest edge
+  std::size_t number = 0;
+  for(const auto face : mesh.faces())
+  {
+    const auto h = Polygon_mesh_processing::is_cap_triangle_face(face, mesh, cosine);
+    if(h == Repaired_mesh::null_halfedge())
+      continue;
+    const auto apex = [&](const auto halfedge) { return mesh.target(mesh.next(halfedge)); };
+    if(mesh.halfedge(apex(h), apex(mesh.opposite(h))) != Repaired_mesh::null_halfedge())
+      continue;
+    Euler::flip_edge(h, mesh);
+    ++number;
+  }
+  return number;
+}
+
 inline void remove_flat_triangles(Tetrahedron_soup_3& surface)
 {
+  if(std::none_of(surface.facets.begin(), surface.facets.end(), [&](const auto& t) { return is_flat(surface, t); }))
+    return;
   Polygon_soup soup(surface);
-  const std::ptrdiff_t number = std::count_if(soup.polygons.begin(), soup.polygons.end(), [&](const auto& triangle)
-  { return collinear(soup.points[triangle[0]], soup.points[triangle[1]], soup.points[triangle[2]]); });
-  if(number == 0 || !is_manifold(surface) || !Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons))
+  if(!is_manifold(surface) || !Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons))
     return;
   Repaired_mesh mesh;
   Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  std::vector<Repaired_mesh::Face_index> flat;
+  Polygon_mesh_processing::degenerate_faces(mesh, std::back_inserter(flat));
   if(!Polygon_mesh_processing::remove_degenerate_faces(mesh))
+    return;
+  std::size_t number = flat.size();
+  for(std::size_t n = 1; n > 0 && number <= surface.facets.size(); number += n) // flips may make others flat
+    n = flip_caps(mesh);
+  if(number == 0)
     return;
   mesh.collect_garbage();
   soup.points.clear();
