@@ -50,27 +50,22 @@ PM::internal::Voxels_3 voxels_of(const Brick& size, const IsSolid& is_solid)
   return PM::internal::voxels_of_surface_3(surface_mesh_of(soup).mesh, 0.5, {0, 0, 0}, 0.5);
 }
 
-} // namespace
-
-TEST_CASE("a ring whose labels have no polycube is refined for one of voxels")
+// Splits edges of a body and maps its boundary to a polycube. Checks both.
+void check_refined(const VMP::Tetrahedron_soup_3& given, const double spacing)
 {
-  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
-  std::vector<std::array<double, 3> > targets;
-  REQUIRE(Polycube().parameterize(ring, targets) == VMP::ERROR_NO_POLYCUBE);
-  const double spacing = GENERATE(0., 0.25);
-  VMP::internal::Body_3 body = VMP::internal::body_of(ring);
+  VMP::internal::Body_3 body = VMP::internal::body_of(given);
   std::vector<VMP::internal::Mapped_boundary_3> boundaries;
   REQUIRE(Polycube(spacing).find_boundaries(body, true, VMP::internal::Budget(), boundaries) == VMP::OK);
   REQUIRE(boundaries.size() == 1); // there is no other
   const auto inserted = VMP::internal::split_any_edges_3(body, boundaries[0].splits);
   REQUIRE(inserted);
-  VMP::Tetrahedron_soup_3 soup = ring;
+  VMP::Tetrahedron_soup_3 soup = given;
   VMP::internal::insert_points(body, *inserted, soup);
-  targets = boundaries[0].targets;
-  REQUIRE(soup.points.size() > ring.points.size());
+  const std::vector<std::array<double, 3> > targets = boundaries[0].targets;
+  REQUIRE(soup.points.size() > given.points.size());
   REQUIRE(targets.size() == soup.points.size());
-  CHECK(std::equal(ring.points.begin(), ring.points.end(), soup.points.begin()));
-  CHECK(volume_of(soup) == Approx(volume_of(ring)));
+  CHECK(std::equal(given.points.begin(), given.points.end(), soup.points.begin()));
+  CHECK(volume_of(soup) == Approx(volume_of(given)));
   CHECK(soup.cell_references == std::vector<int>(soup.cells.size(), 1));
 
   const VMP::internal::Numbered_surface_3 surface = VMP::internal::surface_of(body);
@@ -90,6 +85,33 @@ TEST_CASE("a ring whose labels have no polycube is refined for one of voxels")
     volume += CGAL::determinant(t[0] - CGAL::ORIGIN, t[1] - CGAL::ORIGIN, t[2] - CGAL::ORIGIN) / 6;
   }
   CHECK(volume > 0);
+}
+
+} // namespace
+
+TEST_CASE("a ring whose labels have no polycube is refined for one of voxels")
+{
+  const VMP::Tetrahedron_soup_3 ring = ring_of_prisms();
+  std::vector<std::array<double, 3> > targets;
+  REQUIRE(Polycube().parameterize(ring, targets) == VMP::ERROR_NO_POLYCUBE);
+  check_refined(ring, GENERATE(0., 0.25));
+}
+
+TEST_CASE("of several bodies, each is refined that has no polycube otherwise")
+{
+  VMP::Tetrahedron_soup_3 bodies = ring_of_prisms();
+  const auto add = [&](const VMP::Tetrahedron_soup_3& body, const double distance)
+  {
+    const std::size_t n = bodies.points.size();
+    for(const auto& [x, y, z] : body.points)
+      bodies.points.push_back({x + distance, y, z});
+    for(const auto& [a, b, c, d] : body.cells)
+      bodies.cells.push_back({a + n, b + n, c + n, d + n});
+    bodies.cell_references.resize(bodies.cells.size(), 1);
+  };
+  add(bricks({1, 1, 1}, is_box, in_place), 10);
+  add(ring_of_prisms(), 20);
+  check_refined(bodies, 0);
 }
 
 TEST_CASE("a body with several handles may have no polycube unless edges are split")

@@ -75,6 +75,18 @@ inline void move_along_x(const double distance, const double spacing, std::vecto
   }
 }
 
+// Adds the map of a body to that of the whole surface. Points of its splits come behind all points before.
+inline void add_body(const Separate_body_3& body, const Surface_map_3& map, Surface_map_3& whole)
+{
+  const std::size_t given = body.vertices.size(), before = whole.images.size();
+  const auto on_whole = [&](const std::size_t v) { return v < given ? body.vertices[v] : before + v - given; };
+  for(const auto& [v, w] : map.splits)
+    whole.splits.push_back({ on_whole(v), on_whole(w) });
+  whole.images.resize(before + map.splits.size());
+  for(std::size_t v = 0; v < map.images.size(); ++v)
+    whole.images[on_whole(v)] = map.images[v];
+}
+
 // Maps several bodies, each for itself by `map_body(surface)`. A polycube that would touch earlier ones is moved to the right of
 // them all, as that of a ring linked with another one must be. A body with cavities is refused.
 template <typename MapBody>
@@ -103,8 +115,7 @@ Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double s
     }
     boxes.push_back(bounding_box(part));
     right = (std::max)(right, boxes.back().largest.x());
-    for(std::size_t v = 0; v < part.size(); ++v)
-      result.images[body.vertices[v]] = part[v];
+    add_body(body, map, result);
   }
   return result;
 }

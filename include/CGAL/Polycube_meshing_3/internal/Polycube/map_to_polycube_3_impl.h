@@ -72,7 +72,11 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
   const bool is_connected = kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
   const auto map_body = [&](const Numbered_surface_3& body)
   {
-    const Found_polycubes_3 found = map_to_polycube_3({ body, {}, turned.spacing }, budget);
+    Polycube_problem_3 problem = { body, {}, turned.spacing };
+    Found_polycubes_3 found = map_to_polycube_3(problem, budget);
+    problem.may_split = may_split; // of one of several bodies only those edges that must be
+    if(found.candidates.empty() && may_split)
+      found = map_to_polycube_3(problem, budget);
     return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
   };
   const std::array<Polycube_strategy_3, 4> strategies = {{
