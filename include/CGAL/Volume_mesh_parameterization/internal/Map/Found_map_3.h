@@ -29,6 +29,16 @@ struct Diagnosis_3
 
 using Edges_3 = std::vector<std::array<int, 2> >;
 
+inline Edges_3 edges_of_cells(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
+{
+  Edges_3 result;
+  for(const std::size_t c : cells)
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        result.push_back({mesh.cells[c][i], mesh.cells[c][j]});
+  return result;
+}
+
 // Edges to split, and images of their new vertices and of all others.
 struct Splits_3
 {
@@ -50,7 +60,7 @@ struct Found_map_3
   int number_of_open_motions = 0;       // of the image as a whole, by conditions and energy
   bool has_slid_on_surfaces = false;    // whose facets may intersect each other if they did before
   std::size_t number_of_inverted_cells_at_start = 0;
-  Splits_3 splits;                      // with which fewer cells are inverted, if few are left and some were found
+  Splits_3 splits;                      // of edges, if few cells are left inverted: with which they are fewer, or all of theirs
   std::optional<Diagnosis_3> diagnosis; // why there is no map with fixed boundary
   std::size_t number_of_raises = 0;     // of the weight of the soft boundary
   double unavoidable_angle_distortion = 0; // forced by the prescribed vertices; known where the largest one is minimized
@@ -85,8 +95,8 @@ struct Search_start_3
   bool may_split = false;           // may edges be split after the search?
   std::size_t patience = (std::numeric_limits<std::size_t>::max)(); // raises in vain, one after the other, that end it
 
-  // Returns whether the cells that untangling leaves inverted are left to the soft boundary: after two rounds in vain, a guess.
-  bool has_given_up_splits() const { return number_of_vain_rounds >= 2; }
+  // Returns whether the cells that untangling leaves inverted are left to the soft boundary: after three rounds in vain, a guess.
+  bool has_given_up_splits() const { return number_of_vain_rounds >= 3; }
   bool may_split_inverted_cells() const { return may_split && !has_given_up_splits(); }
 };
 

@@ -273,8 +273,8 @@ inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const st
 }
 
 // Refines a body where the targets make cells degenerate, and bridges if this helps. Then searches, and refines where the search
-// was blocked, in turn. If splits have added a tenth of the points, they do not help; a small body may need more. After a limit of
-// time, nothing is refined.
+// was blocked, in turn. If splits have added a tenth of the points, they do not help; a small body may need more: a guess. After a
+// limit of time, nothing is refined.
 CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE
 Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescription, const Map_problem_3& problem,
                                           std::vector<Insertion_3> insertions)
@@ -306,7 +306,7 @@ Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescript
   std::optional<Found_map_3> found;
   for(Search_start_3 start; checked.check.allows(problem.options.mode); )
   {
-    const std::size_t limit = (std::max)(checked.numbered.points.size() / 10, std::size_t(1000));
+    const std::size_t limit = (std::max)(checked.numbered.points.size() / 10, std::size_t(5000));
     start.may_split = checked.check.is_refinable && number_of_splits <= limit;
     start.patience = start.may_split ? 1 : 2;
     found = find_map_of_body_3(checked, problem, start);

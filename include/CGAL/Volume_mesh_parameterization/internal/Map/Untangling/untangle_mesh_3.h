@@ -52,6 +52,15 @@ public:
     return m_best.is_stuck();
   }
 
+  // Chooses to split all edges of the inverted cells in the best map, if these are a small part of the mesh: the untangling energy
+  // has a minimum there, and moves on once they have vertices of their own.
+  void split_inverted_cells()
+  {
+    constexpr double small_part = 0.05; // a guess
+    if(is_unsolved() && m_best.map.number_of_inverted_cells <= small_part * m_mesh.cells.size() && !m_progress.is_interrupted())
+      m_best.splits = { edges_of_cells(m_mesh, m_best.map.inverted_cells), {}, m_best.map.positions };
+  }
+
   // Returns the best map. Cells that have just become positive are flat, and are relaxed.
   Found_map_3 finish(const bool has_moved)
   {
@@ -153,8 +162,8 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
   for(const auto& [attempt, end] : ends)
     if(mesh.is_whole() && search.is_unsolved() && !search.is_in_vain()) // processes would count other cells
       search.go_on(attempt, end);
-  if(may_split)
-    search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells()));
+  if(may_split && !search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
+    search.split_inverted_cells();
 }
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes the attempts from the start.
