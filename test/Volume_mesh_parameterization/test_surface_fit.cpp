@@ -228,6 +228,32 @@ TEST_CASE("Sharp edges and corners of the target are met by those of the body")
   check_corners(uvw);
 }
 
+TEST_CASE("All edges of a hexagonal prism are sharp, however it is turned")
+{
+  std::vector<std::array<std::size_t, 3> > facets;
+  for(std::size_t i = 0; i < 6; ++i)
+  {
+    const std::size_t j = (i + 1) % 6;
+    facets.push_back({ i, j, i + 6 });
+    facets.push_back({ j, j + 6, i + 6 });
+    if(0 < i && i < 5)
+    {
+      facets.push_back({ 0, j, i });
+      facets.push_back({ 6, i + 6, j + 6 });
+    }
+  }
+  for(const double turn : { 0., 0.1, 0.2, 0.3, 0.4, 0.5 })
+  {
+    CAPTURE(turn);
+    const auto position = [&](const std::size_t v)
+    {
+      const double angle = turn + static_cast<double>(v % 6) * std::acos(0.5);
+      return VMP::internal::Vector_3(std::cos(angle), std::sin(angle), v < 6 ? 0 : 1);
+    };
+    CHECK(VMP::internal::sharp_edges_3(facets, {}, position).size() == 18);
+  }
+}
+
 TEST_CASE("Curved sharp edges are split where those of the target have vertices")
 {
   // a cylinder of a cube, whose squares become circles, and a prism

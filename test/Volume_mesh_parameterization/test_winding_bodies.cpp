@@ -125,3 +125,14 @@ TEST_CASE("Small bodies with winding arms are mapped to the ball, as whole meshe
     CHECK(images.size() == points.size());
   }
 }
+
+TEST_CASE("A body of which untangling leaves cells inverted is mapped to the ball once these have vertices of their own")
+{
+  auto [points, cells] = tetrahedra(winding_voxels(9, 200, 18));
+  Points images;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    points, cells, images, CGAL::parameters::refinement_mode(VMP::Refinement_mode::BOUNDARY)
+                             .boundary_mode(VMP::Boundary_mode::FIXED));
+  CHECK(result.status == VMP::OK);
+  CHECK(result.boundary_residual == 0);
+}

@@ -172,7 +172,7 @@ inline Command_line command_line(Options& options)
      "Without the option, the distance for surfaces is a tiny part of them")
     ("features", po::value(&options.features)->value_name("FILE"),
      "the sharp edges of the source: lines with two vertices, counted from 0. They replace the edges marked in SOURCE.mesh. If "
-     "no edges are marked, edges with more than 60 degrees between the normals are sharp")
+     "no edges are marked, edges with 60 degrees or more between the normals are sharp")
     ("regions", po::value(&options.regions)->value_name("NAME"),
      "the cell data that are the subdomains, instead of data with a known name, such as material or RegionId")
     ("separate", po::bool_switch(&options.do_separate),

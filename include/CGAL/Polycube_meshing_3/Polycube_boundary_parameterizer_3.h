@@ -115,7 +115,7 @@ neither is a body with given labels.
 line would flip triangles, it is given up. `Polycube_result::features_given_up` lists all sharp edges that the polycube does
 not follow. With a spacing, lines lie at multiples of the spacing, its half or its quarter. Lines shorter than the spacing are
 not made. Sharp edges are the 1-dimensional features of the complex, or the marked edges of the soup. If none of them is on
-the boundary, edges with more than 60 degrees between the normals on both sides are sharp.
+the boundary, edges with 60 degrees or more between the normals on both sides are sharp.
 
 <b>Labels</b>. If no labels are given, they are close to the normals and change along short lines \cgalCite{cgal:lvsg-pmg-13}.
 Lines along sharp edges cost nothing. Charts that no polycube can have get other labels, at the lowest cost. Of the polycubes

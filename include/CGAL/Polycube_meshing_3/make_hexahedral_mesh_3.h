@@ -107,7 +107,7 @@ If the mesh is written, it has these properties:
   quadrangle has the reference of these.
 
 Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex. If none of them is on the boundary,
-edges with more than 60 degrees between the normals on both sides are sharp.
+edges with 60 degrees or more between the normals on both sides are sharp.
 
 <b>Quality</b>. First, vertices are moved by an energy that untangles the corners of hexahedra \cgalCite{cgal:gkkrs-ffm-21}, and
 makes them similar to corners of boxes. Then vertices at the worst corners move one after the other. Vertices on the boundary

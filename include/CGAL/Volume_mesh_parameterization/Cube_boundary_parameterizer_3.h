@@ -33,7 +33,7 @@ sphere, first harmonically and then by the untangling energy \cgalCite{cgal:gkkr
 lower the symmetric Dirichlet energy of the map from the boundary, scaled to the area of the box. Vertices move in their face or
 along their edge of the box.
 
-If the boundary has sharp edges (normals that differ by more than 60 degrees, or marked edges), a second map is made. Its paths
+If the boundary has sharp edges (normals that differ by 60 degrees or more, or marked edges), a second map is made. Its paths
 prefer sharp edges. The map with less distortion is returned.
 
 Unless corners are given, eight vertices are chosen by three criteria. The charts have areas in the ratio of the faces of the

@@ -36,7 +36,7 @@ public:
   ///
   /// \param points the points
   /// \param triangles the triangles, by the indices of their points
-  /// \param features the feature edges, likewise. If there are none, edges with more than 60 degrees between the normals of their
+  /// \param features the feature edges, likewise. If there are none, edges with 60 degrees or more between the normals of their
   ///        triangles are features. Edges with more than two triangles always are
   ///
   /// Throws `Input_error` if an index or a coordinate is wrong, or if no triangle has an area.

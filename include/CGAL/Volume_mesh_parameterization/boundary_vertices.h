@@ -105,7 +105,7 @@ std::vector<std::size_t> non_manifold_boundary_vertices(const PointRange& points
 \ingroup PkgVolumeMeshParameterizationFunctions
 
 returns the sharp edges of the boundary of a mesh that is given by arrays. Polycubes and hexahedra follow them. Marked edges of the
-boundary are sharp. If no edge of the boundary is marked, edges with more than 60 degrees between the normals on both sides are
+boundary are sharp. If no edge of the boundary is marked, edges with 60 degrees or more between the normals on both sides are
 sharp.
 
 \param points the points

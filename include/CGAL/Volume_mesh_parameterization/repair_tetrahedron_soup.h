@@ -254,7 +254,7 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 /// marks: it marks all points of its input as corners, and all edges between facets that are not in one plane. Marked facets and
 /// edges that have a vertex twice go, too.
 ///
-/// A vertex is no corner of the shape if the normals on both sides make more than 60 degrees at none or two of its edges. If more
+/// A vertex is no corner of the shape if the normals on both sides make 60 degrees or more at none or two of its edges. If more
 /// than half of the vertices of the boundary are marked as corners, but are none, all marks of corners go. If more than half of
 /// the vertices with marked edges have three or more of these, but are no corners, all marks of edges go.
 ///

@@ -38,7 +38,7 @@ double cosine_between_facets(const Facet& f, const Facet& g, const Position& pos
 template <typename Facet, typename Position>
 bool is_sharp_edge(const Facet& f, const Facet& g, const Position& position, const bool are_oriented_alike = true)
 {
-  constexpr double cosine_of_sharp_edge = 0.5; // a guess; 60 degrees between normals
+  constexpr double cosine_of_sharp_edge = 0.5 + 1e-6; // a guess; 60 degrees between normals up to rounding, as of a hexagon
   return (are_oriented_alike ? 1 : -1) * cosine_between_facets(f, g, position) < cosine_of_sharp_edge;
 }
 
@@ -54,7 +54,7 @@ inline bool leads_along_axis(const Vector_3& p, const Vector_3& q)
 { return (p[0] != q[0]) + (p[1] != q[1]) + (p[2] != q[2]) == 1; }
 
 // Returns the sharp edges of a surface, the smaller vertex first: those among the marked ones, or if there are none, those
-// whose normals on both sides make more than 60 degrees.
+// whose normals on both sides make 60 degrees or more.
 template <typename Vertex, typename Position>
 std::vector<std::array<Vertex, 2> > sharp_edges_3(const std::vector<std::array<Vertex, 3> >& facets,
                                                   std::vector<std::array<Vertex, 2> > marked, const Position& position)
