@@ -191,11 +191,47 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   std::iter_swap(vertex_at({ 0, 0, 0 }), vertex_at({ 1, 0, 0 }));
   Sliding_hexahedra sliding(cube, mesh);
   PM::internal::Best_hexahedra_3 best;
-  PM::internal::Hexahedra_improvement_3(sliding.hexahedra, false, sliding.budget, best).run();
+  PM::internal::Hexahedra_improvement_3(sliding.hexahedra, false, sliding.budget, best).run(false);
   CHECK(smallest_determinant(best.mesh) > 0);
   for(const std::array<std::size_t, 4>& quadrangle : best.mesh.facets)
     for(const std::size_t v : quadrangle)
       CHECK((best.mesh.points[v] - Coordinates_3(3, 3, 3)).cwiseAbs().maxCoeff() == Approx(3));
+}
+
+TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")
+{
+  using PM::internal::Freedom_3;
+  for(const Body& body : { Body(6, 0, same), Body(8, 0, rounded) })
+  {
+    Hexahedra_3 mesh = Sliding_hexahedra(body, 2).start;
+    const Sliding_hexahedra straight(body, mesh);
+    std::mt19937 engine;
+    std::uniform_real_distribution<double> noise(-1.2, 1.2);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      Vector3d p = mesh.points[v];
+      if(straight.placed.positions[v].freedom != Freedom_3::NONE)
+        p += Vector3d(noise(engine), noise(engine), noise(engine));
+      mesh.points[v] = straight.surface.nearest(p, straight.placed.positions[v].freedom);
+    }
+    REQUIRE(PM::internal::evaluated_hexahedra(mesh, false).number_of_inverted_corners > 0);
+
+    VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+    VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+    const VMP::internal::Budget budget;
+    PM::internal::Placed_hexahedra_3 placed = straight.placed;
+    placed.mesh = mesh;
+    PM::internal::Sliding_hexahedra_3 tangled(placed, linear_solver, false, budget);
+    tangled.leave_and_return();
+    CHECK(PM::internal::evaluated_hexahedra(tangled.mesh(), false).number_of_inverted_corners == 0);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    {
+      const Vector3d p = tangled.mesh().points[v];
+      CHECK((straight.surface.nearest(p, straight.placed.positions[v].freedom) - p).norm() < 1e-12);
+      if(straight.placed.positions[v].freedom == Freedom_3::NONE)
+        CHECK(tangled.mesh().points[v] == mesh.points[v]);
+    }
+  }
 }
 
 TEST_CASE("Quadrangles slide towards a tip of the body that none of their vertices is at")

@@ -87,8 +87,13 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       break; // the budget is exhausted
     Placed_hexahedra_3 start = placed_hexahedra_3(mesh, quadrangles, interfaces);
     move_to_corners_3(body, problem.spacing, start);
-    Sliding_hexahedra_3 hexahedra(start, problem.solver, body.is_parallel, budget);
-    Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run();
+    for(const bool may_leave_surface : { false, true })
+    {
+      if(budget.is_exhausted() || (may_leave_surface && is_at_least(best.result, bad_scaled_jacobian)))
+        break;
+      Sliding_hexahedra_3 hexahedra(start, problem.solver, body.is_parallel, budget);
+      Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run(may_leave_surface);
+    }
   }
   return best;
 }

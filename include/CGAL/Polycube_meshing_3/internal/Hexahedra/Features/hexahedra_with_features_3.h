@@ -221,7 +221,7 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
   for(const bool may_leave_lines : { false, true })
     if(!is_at_least(result.result, bad_scaled_jacobian))
-      Hexahedra_improvement_3(hexahedra, true, budget, result, may_leave_lines).run();
+      Hexahedra_improvement_3(hexahedra, true, budget, result, may_leave_lines).run(false);
   return result;
 }
 

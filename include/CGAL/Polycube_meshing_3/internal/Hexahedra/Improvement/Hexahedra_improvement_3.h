@@ -26,9 +26,17 @@ public:
     : m_hexahedra(hexahedra), m_has_padding(has_padding), m_may_leave_lines(may_leave_lines), m_budget(budget), m_best(best)
   {}
 
-  void run()
+  // If vertices may leave the surface, they do so before all else, and if corners stay inverted there, all else is in vain.
+  void run(const bool may_leave_surface)
   {
     evaluate();
+    if(may_leave_surface)
+    {
+      const bool is_untangled = m_hexahedra.leave_and_return();
+      evaluate();
+      if(!is_untangled)
+        return;
+    }
     move_all();
     improve_worst_corners();
     approach_boundary();

@@ -18,7 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -116,6 +118,35 @@ public:
     put_back(m_corners.improved(m_mesh.points, goals, m_solver, m_budget), is_valid, goals.mean_edge);
   }
 
+  // Lets vertices leave the surface, where corners are untangled easily, and draws the vertices back by a weight that grows,
+  // while corners stay positive (the penalty method; Nocedal and Wright, Numerical Optimization, section 17.1). If the number of
+  // inverted corners does not fall from one weight to the next, a larger one leaves even less room. Returns whether no corner was
+  // inverted in the end, before the vertices were put back.
+  bool leave_and_return()
+  {
+    constexpr double first_weight = 100, last_weight = 1e10, growth = 3; // guesses
+    constexpr std::size_t number_of_steps = 20;                          // a guess
+    std::ptrdiff_t inverted = (std::numeric_limits<std::ptrdiff_t>::max)();
+    for(double weight = first_weight;
+        weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
+    {
+      Corner_goals_3 goals = { std::vector<Matrix_3>(m_positions.size(), Matrix_3::Identity()), {}, 1, {}, pull, 1,
+                               number_of_steps };
+      m_corners.set_edges(m_mesh.points, false, goals);
+      hold_boundary(m_first_points, 1, goals);
+      for(const Covered_surface_3& covered : m_covered)
+        pull_to_vertices_3(covered, m_mesh.points, 1, goals);
+      return_to_surface(std::sqrt(weight / pull), goals);
+      m_mesh.points = m_corners.improved(m_mesh.points, goals, m_solver, m_budget);
+      const std::ptrdiff_t before = std::exchange(inverted, number_of_inverted_corners(m_mesh.points));
+      if(inverted > 0 && inverted >= before)
+        break;
+    }
+    for(std::size_t v = 0; v < m_positions.size(); ++v)
+      m_mesh.points[v] = nearest(v);
+    return inverted == 0;
+  }
+
   // Moves the vertices of corners whose scaled Jacobian is below the target, and those near far points of the surfaces, one after
   // the other. Uncovered points have a price.
   void smooth(const double target, const double price_of_uncovered)
@@ -154,11 +185,13 @@ private:
     return result;
   }
 
-  bool are_positive(const std::vector<Vector_3>& points) const
+  std::ptrdiff_t number_of_inverted_corners(const std::vector<Vector_3>& points) const
   {
-    return std::all_of(m_corners.corners().begin(), m_corners.corners().end(),
-                       [&](const std::array<std::size_t, 4>& corner) { return is_positive_corner(points, corner); });
+    return std::count_if(m_corners.corners().begin(), m_corners.corners().end(),
+                         [&](const std::array<std::size_t, 4>& corner) { return !is_positive_corner(points, corner); });
   }
+
+  bool are_positive(const std::vector<Vector_3>& points) const { return number_of_inverted_corners(points) == 0; }
 
   // Pulls sliding vertices to the given points. Vertices on lines are pulled to where they were at first, and by the given factor
   // more: that keeps curved lines evenly divided.
@@ -173,6 +206,27 @@ private:
         for(int axis = 0; axis < 3; ++axis)
           goals.constraints.push_back({ { { static_cast<int>(v), factor * Vector_3::Unit(axis) } }, p[axis] });
       }
+  }
+
+  // Returns the point nearest to a vertex among those where it may be; for a vertex that may not move, its first position.
+  Vector_3 nearest(const std::size_t v) const
+  { return m_positions[v].nearest(m_positions[v].freedom == Freedom_3::NONE ? m_first_points[v] : m_mesh.points[v]); }
+
+  // Pulls vertices to the nearest points where they may be, mostly in the directions in which they may not move there.
+  void return_to_surface(const double factor, Corner_goals_3& goals) const
+  {
+    constexpr double part_along = 0.1; // a guess; how much less a vertex is held in the directions in which it may move
+    for(const std::size_t v : m_corners.order())
+    {
+      const Position_3& position = m_positions[v];
+      if(position.freedom == Freedom_3::SPACE)
+        continue;
+      const Vector_3 p = nearest(v);
+      const Matrix_3 way
+        = factor * (Matrix_3::Identity() - (1 - part_along) * position.surface->projector(p, position.freedom));
+      for(int axis = 0; axis < 3; ++axis)
+        goals.constraints.push_back({ { { static_cast<int>(v), way.col(axis) } }, way.col(axis).dot(p) });
+    }
   }
 
   // Takes positions, put back onto the boundary. If a hexahedron would be inverted, or a corner so flat that the next steps would
