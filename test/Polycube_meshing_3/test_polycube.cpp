@@ -165,8 +165,20 @@ TEST_CASE("a groove far below the spacing keeps its faces")
   {
     return z != 3 || (x > 0 && x < 5 && y > 0 && y < 5);
   }, [&](const double x, const double y, const double z) { return in_place(coordinate(x), coordinate(y), z); }));
+  for(const double spacing : { 0.5, 0.05, 0. })
+  {
+    CAPTURE(spacing);
+    REQUIRE(complex.parameterize(spacing) == VMP::OK);
+    CHECK(faces_of_image(complex).size() == 12);
+  }
+}
+
+TEST_CASE("a thin plate keeps its faces")
+{
+  Labelled_complex complex(bricks({6, 6, 2}, is_box,
+                                  [](const double x, const double y, const double z) { return in_place(x, y, 0.02 * z); }));
   REQUIRE(complex.parameterize(0.5) == VMP::OK);
-  CHECK(faces_of_image(complex).size() == 12);
+  CHECK(faces_of_image(complex).size() == 6);
 }
 
 TEST_CASE("a ramp does not join the faces at its ends")
