@@ -34,6 +34,16 @@ namespace {
 
 const auto polycube = params::boundary_parameterizer(PM::Polycube_boundary_parameterizer_3());
 
+// A boundary parameterizer that finds no polycube.
+struct Without_polycube
+{
+  template <typename PointRange, typename CellRange, typename TargetRange,
+            typename NamedParameters = params::Default_named_parameters>
+  VMP::Error_code parameterize(const PointRange&, const CellRange&, TargetRange&,
+                               const NamedParameters& = params::default_values()) const
+  { return VMP::ERROR_NO_POLYCUBE; }
+};
+
 // Records how attempts end, and on which clock they run.
 struct Told_attempts
 {
@@ -191,6 +201,18 @@ TEST_CASE("A part of a budget ends with the whole, and not the other way round")
     CHECK(number_of_steps == 2);
     CHECK(whole.is_exhausted());
   }
+}
+
+TEST_CASE("Without a polycube, splits of edges are advised unless they were permitted")
+{
+  const bool may_split = GENERATE(false, true);
+  Tetrahedron_soup_3 ring = ring_of_prisms();
+  std::vector<Point> uvw;
+  const Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    ring, uvw, params::boundary_parameterizer(Without_polycube())
+                      .refinement_mode(may_split ? Refinement_mode::BOUNDARY : Refinement_mode::HELPFUL));
+  CHECK(result.status == VMP::ERROR_NO_POLYCUBE);
+  CHECK((result.message.find("Permit splits") == std::string::npos) == may_split);
 }
 
 TEST_CASE("The boundary of arrays is refined only if this is asked for, on the edges that are split")

@@ -62,11 +62,14 @@ auto targets_to_be_found(const NamedParameters& np, const C3t3& c3t3, const Body
 }
 
 // The result where a boundary parameterizer finds no boundary.
-inline Parameterization_result result_without_boundary(const Body_3& body, const Error_code status, const Progress_3& progress)
+inline Parameterization_result result_without_boundary(const Body_3& body, const Error_code status, const bool may_split,
+                                                       const Progress_3& progress)
 {
   Parameterization_result result = progress.effort();
   result.status = status;
-  result.message = get_error_message(status) + where_boundary_fails(body, status);
+  result.message = status == ERROR_NO_POLYCUBE && may_split
+    ? "No polycube was found for the boundary, although its edges may be split. Simplify it: remove small details and bores."
+    : get_error_message(status) + where_boundary_fails(body, status);
   result.seconds_total = progress.seconds();
   return result;
 }
@@ -80,13 +83,12 @@ Body_map_3 map_body_3(Body_3& body, const NamedParameters& np, const Targets_to_
                 "The images of constrained vertices are missing: pass a boundary_map, or targets for arrays.");
   problem.progress.end_numbering();
   const Parameterizer& parameterizer = target.parameterizer;
+  const bool may_split = may_refine && problem.options.refinement == Refinement_mode::BOUNDARY;
   std::vector<Mapped_boundary_3> boundaries;
-  const Error_code status
-    = find_boundaries_3(parameterizer, body, may_refine && problem.options.refinement == Refinement_mode::BOUNDARY,
-                        problem.progress.budget(), boundaries);
+  const Error_code status = find_boundaries_3(parameterizer, body, may_split, problem.progress.budget(), boundaries);
   problem.progress.end_boundary();
   if(status != OK)
-    return { result_without_boundary(body, status, problem.progress), {}, {} };
+    return { result_without_boundary(body, status, may_split, problem.progress), {}, {} };
   for(Mapped_boundary_3& boundary : boundaries)
     for(std::array<double, 3>& p : boundary.targets)
       p = body.image_type.rounded_point(p);
