@@ -4,6 +4,7 @@
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Body_complex_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Sheets_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
@@ -65,6 +66,12 @@ struct Complex_on_polycube
   Hexahedral_mesh_result mesh(Hexahedron_soup_3& hexahedra)
   { return PM::make_hexahedral_mesh_3(c3t3, VMP::make_vertex_point_map(uvw), spacing, hexahedra); }
 };
+
+Hexahedra_3 hexahedra_of(const Hexahedron_soup_3& soup)
+{
+  return { VMP::internal::vectors_of(soup.points), {}, soup.cells, soup.cell_blocks, soup.cell_indices, soup.cell_references,
+           soup.facets, soup.facet_cells, soup.polycube_faces };
+}
 
 } // namespace
 
@@ -193,8 +200,7 @@ TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
 {
   Hexahedron_soup_3 soup;
   REQUIRE(Body(6, 0, [](const Vector3d& p) { return p; }).mesh(2, soup).status == VMP::OK);
-  const Hexahedra_3 mesh = { VMP::internal::vectors_of(soup.points), {}, soup.cells, soup.cell_blocks, soup.cell_indices,
-                             soup.cell_references, soup.facets, soup.facet_cells, soup.polycube_faces };
+  const Hexahedra_3 mesh = hexahedra_of(soup);
   REQUIRE(mesh.cells.size() == 27);
   const PM::internal::Sheets_3 sheets(mesh);
   const auto vertex_at = [&](const VMP::internal::Vector_3& p)
@@ -225,6 +231,32 @@ TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
     constexpr double first[] = { 0, 2, 3, 4 };
     CHECK((cut.points[cut.cells[c][0]] - VMP::internal::Vector_3(first[i], first[j], 2. * static_cast<double>(k))).norm() < 1e-6);
   }
+}
+
+TEST_CASE("Curves without room are given up as soon as rounds lead to no fewer conflicts, many of them at once")
+{
+  Body body(12, 0, [](const Vector3d& p) { return p; });
+  Hexahedron_soup_3 soup;
+  REQUIRE(body.mesh(2, soup).status == VMP::OK);
+  std::map<std::array<double, 3>, std::size_t> vertex_at;
+  for(std::size_t v = 0; v < body.images.size(); ++v)
+    vertex_at[body.images[v]] = v;
+  for(double x = 1; x < 12; ++x) // a grid of curves, with half the distance of edges of the hexahedra
+    for(double y = 1; y < 12; ++y)
+    {
+      if(x < 11)
+        body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x + 1, y, 12 }) });
+      if(y < 11)
+        body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x, y + 1, 12 }) });
+    }
+  const PM::internal::Mapped_soup_3 mapped(body.soup, body.images);
+  const PM::internal::Body_complex_3 complex(mapped, VMP::internal::vectors_of(body.soup.points));
+  const Hexahedra_3 mesh = hexahedra_of(soup);
+  std::size_t number_of_rounds = 0;
+  const VMP::internal::Budget budget(1e9, [&] { return ++number_of_rounds < 500; });
+  PM::internal::Feature_embedding_3(complex, mesh, 2).run(budget);
+  CHECK(number_of_rounds > 45); // not all curves at once
+  CHECK(number_of_rounds < 500);
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

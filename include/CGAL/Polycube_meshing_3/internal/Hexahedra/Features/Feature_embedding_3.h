@@ -309,10 +309,11 @@ private:
       }
   }
 
-  // Returns whether paths of the arcs that are left are disjoint and in order.
+  // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
+  // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts.
   bool find_paths(const Budget& budget)
   {
-    constexpr int number_of_rounds = 45, number_of_curves_given_up = 60; // guesses
+    constexpr int number_of_rounds = 45, patience = 12, largest_number_given_up = 60; // guesses
     std::vector<std::size_t> order;
     for(std::size_t a = 0; a < m_paths.size(); ++a)
       order.push_back(a);
@@ -322,14 +323,16 @@ private:
     m_history.assign(m_mesh.points.size(), 0);
     m_occupied_edges.assign(m_graph.number_of_edges(), 0);
     m_history_of_edges.assign(m_graph.number_of_edges(), 0);
-    for(int number_given_up = 0; number_given_up <= number_of_curves_given_up; ++number_given_up)
+    for(int number_given_up = 0; number_given_up <= largest_number_given_up; )
     {
       m_penalties.assign(m_complex.corners().size(), 1);
       for(std::size_t c = 0; c < m_vertices.size(); ++c)
         if(m_vertices[c] != none)
           choose_ports(c);
       double price = number_given_up == 0 ? 0.3 : 1;
-      for(int round = 0; round < number_of_rounds && !budget.is_exhausted(); ++round, price = (std::min)(1.25 * price, 40.))
+      std::size_t fewest = none, number = none; // of conflicts
+      for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted();
+          ++round, price = (std::min)(1.25 * price, 40.))
       {
         for(const std::size_t a : order)
           if(!m_is_dropped[a])
@@ -338,47 +341,65 @@ private:
             m_paths[a] = route(a, price);
             occupy(a, 1);
           }
-        if(are_disjoint())
+        number = number_of_conflicts();
+        if(number == 0)
           return true;
+        in_vain = number < fewest || 10 * number < m_paths.size() ? 0 : in_vain + 1;
+        fewest = (std::min)(fewest, number);
+        raise_prices();
       }
       if(budget.is_exhausted())
         return false;
-      std::pair<double, std::size_t> worst = { 0, none };
-      for(std::size_t a = 0; a < m_paths.size(); ++a)
-        if(!m_is_dropped[a])
-          worst = (std::max)(worst, { conflicts(a), a });
-      if(worst.second == none)
-        return false;
-      give_up(m_complex.arcs()[worst.second].curve);
+      do
+      {
+        const std::size_t worst = worst_arc();
+        if(worst == none)
+          return false;
+        give_up(m_complex.arcs()[worst].curve);
+        ++number_given_up;
+      }
+      while(number_of_conflicts() > number - number / 10);
     }
     return false;
   }
 
-  // Returns whether no vertex or edge is in two paths and all corners are in order. Otherwise, raises the prices of the former.
-  bool are_disjoint()
+  // Returns the arc whose path has most conflicts; none if no path has any.
+  std::size_t worst_arc() const
+  {
+    std::pair<double, std::size_t> worst = { 0, none };
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      if(!m_is_dropped[a])
+        worst = (std::max)(worst, { conflicts(a), a });
+    return worst.second;
+  }
+
+  // Returns the number of vertices and edges in two paths, of corners out of order, and of arcs without a path.
+  std::size_t number_of_conflicts() const
+  {
+    const auto is_shared = [](const int number) { return number > 1; };
+    std::size_t result = std::count_if(m_occupied.begin(), m_occupied.end(), is_shared)
+                         + std::count_if(m_occupied_edges.begin(), m_occupied_edges.end(), is_shared);
+    for(std::size_t c = 0; c < m_penalties.size(); ++c)
+      result += !is_in_order(c);
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      result += !m_is_dropped[a] && m_paths[a].empty();
+    return result;
+  }
+
+  // Raises the prices of vertices, edges and corners with conflicts.
+  void raise_prices()
   {
     constexpr double growth_of_history = 0.4, growth_of_penalty = 1.6, largest_penalty = 1e4; // guesses
-    bool result = true;
     const auto raise = [&](const std::vector<int>& occupied, std::vector<double>& history)
     {
       for(std::size_t i = 0; i < occupied.size(); ++i)
-        if(occupied[i] > 1)
-        {
-          result = false;
-          history[i] += growth_of_history * (occupied[i] - 1);
-        }
+        history[i] += growth_of_history * (std::max)(0, occupied[i] - 1);
     };
     raise(m_occupied, m_history);
     raise(m_occupied_edges, m_history_of_edges);
     for(std::size_t c = 0; c < m_penalties.size(); ++c)
       if(!is_in_order(c))
-      {
-        result = false;
         m_penalties[c] = (std::min)(growth_of_penalty * m_penalties[c], largest_penalty);
-      }
-    for(std::size_t a = 0; a < m_paths.size(); ++a)
-      result = result && (m_is_dropped[a] || !m_paths[a].empty());
-    return result;
   }
 
   // Joins patches across curves that were given up, and quadrangles across edges without a path. Returns whether the paths around
