@@ -16,6 +16,7 @@
 #include <map>
 #include <random>
 #include <set>
+#include <string>
 #include <vector>
 
 using PM::internal::Corners_to_improve;
@@ -196,6 +197,35 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   for(const std::array<std::size_t, 4>& quadrangle : best.mesh.facets)
     for(const std::size_t v : quadrangle)
       CHECK((best.mesh.points[v] - Coordinates_3(3, 3, 3)).cwiseAbs().maxCoeff() == Approx(3));
+}
+
+TEST_CASE("The worst corners are not improved if many corners are inverted, which the map is to blame for")
+{
+  using PM::internal::Freedom_3;
+  const bool are_many = GENERATE(false, true);
+  const Sliding_hexahedra cube(Body(4, 0, same));
+  PM::internal::Placed_hexahedra_3 placed = cube.placed; // whose boundary stays mirrored, or with a vertex beyond another one
+  for(std::size_t v = 0; v < placed.positions.size(); ++v)
+  {
+    if(placed.positions[v].freedom != Freedom_3::SPACE)
+      placed.positions[v].freedom = Freedom_3::NONE;
+    Coordinates_3& p = placed.mesh.points[v];
+    if(are_many)
+      p[0] = 4 - p[0];
+    else if((p - Coordinates_3(2, 2, 4)).norm() < 1e-9)
+      p[0] = 3.2;
+  }
+  std::map<std::string, std::size_t> rounds;
+  const VMP::internal::Budget budget(1e9, [] { return true; },
+                                     [&](const VMP::Parameterization_step& step) { return ++rounds[step.attempt] > 0; });
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+  PM::internal::Sliding_hexahedra_3 hexahedra(placed, linear_solver, false, budget);
+  PM::internal::Best_hexahedra_3 best;
+  PM::internal::Hexahedra_improvement_3(hexahedra, false, budget, best, false).run(false);
+  CHECK(best.result.number_of_inverted_corners > 0);
+  CHECK((rounds["worst corners"] == 0) == are_many);
+  CHECK(rounds["corners"] < 5); // the first ones untangle some corners
 }
 
 TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")

@@ -38,7 +38,8 @@ public:
         return;
     }
     move_all();
-    improve_worst_corners();
+    if(has_few_inverted_corners())
+      improve_worst_corners();
     approach_boundary();
   }
 
@@ -46,6 +47,13 @@ private:
   static constexpr int number_of_rounds = 10, patience = 3;      // guesses
   static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
   static constexpr double usual_price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points
+
+  // Returns whether few corners are inverted: with more, not the worst corners or lines are to blame, but the map.
+  bool has_few_inverted_corners() const
+  {
+    constexpr std::size_t corners_per_inverted_corner = 100; // a guess
+    return m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
+  }
 
   void evaluate()
   {
@@ -70,15 +78,13 @@ private:
   void move_all()
   {
     constexpr int number_of_first_rounds = 3;                // a guess
-    constexpr std::size_t corners_per_inverted_corner = 100; // a guess; with fewer, not lines but the map is to blame
     constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
     constexpr double nearly_flat = 0.001;                    // a guess; scaled Jacobian that holds up steps for all vertices
     std::size_t fewest_inverted_corners = m_result.number_of_inverted_corners;
-    for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience
+    for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < (has_few_inverted_corners() ? patience : patience - 1)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
     {
-      const bool are_few = m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
-      if(in_vain == patience - 1 && are_few && m_may_leave_lines && m_hexahedra.leave_lines(0))
+      if(in_vain == patience - 1 && m_may_leave_lines && m_hexahedra.leave_lines(0))
         in_vain = 0;
       const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
