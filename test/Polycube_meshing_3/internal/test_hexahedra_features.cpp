@@ -73,6 +73,59 @@ Hexahedra_3 hexahedra_of(const Hexahedron_soup_3& soup)
            soup.facets, soup.facet_cells, soup.polycube_faces };
 }
 
+// The complex of a body whose marked edges are those of the cube and a diagonal in its top that begins at a point of the domain.
+struct Complex_with_diagonal
+{
+  std::vector<VMP::internal::Vector_3> points;
+  PM::internal::Body_complex_3 complex;
+
+  Complex_with_diagonal(Body body, const int n, const Vector3d& first, const double width)
+    : points(VMP::internal::vectors_of(body.soup.points)), complex(marked(body, n, first), points, width)
+  {}
+
+  static PM::internal::Mapped_soup_3 marked(Body& body, const int n, const Vector3d& first)
+  {
+    const auto lies_on = [&](const Vector3d& p, const int axis) { return p[axis] == 0 || p[axis] == n; };
+    for(const auto& cell : body.soup.cells)
+      for(std::size_t i = 0; i < 4; ++i)
+        for(std::size_t j = 0; j < i; ++j)
+        {
+          const Vector3d p = vector(body.images[cell[i]]), q = vector(body.images[cell[j]]), d = q - p;
+          int number_of_sides = 0;
+          for(int axis = 0; axis < 3; ++axis)
+            number_of_sides += lies_on(p, axis) && p[axis] == q[axis];
+          const Vector3d from_first = p - first;
+          if(number_of_sides == 2 || (d[0] == d[1] && d[2] == 0 && from_first[0] == from_first[1] && from_first[2] == 0))
+            body.soup.edges.push_back({ cell[i], cell[j] });
+        }
+    return { body.soup, body.images };
+  }
+
+  // Returns the number of arcs at a point. Around each corner, the patch after an arc is that before the next one.
+  std::size_t number_of_arcs_at(const Vector3d& p) const
+  {
+    std::size_t result = 0;
+    for(const PM::internal::Corner_3& corner : complex.corners())
+    {
+      const auto patch = [&](const std::size_t i, const bool is_left)
+      {
+        const PM::internal::End_of_arc_3& end = corner.ends[i % corner.ends.size()];
+        return complex.arcs()[end.arc].patches[(end.side == 0) != is_left];
+      };
+      for(std::size_t i = 0; i < corner.ends.size(); ++i)
+      {
+        CHECK(patch(i, true) == patch(i + 1, false));
+        const PM::internal::End_of_arc_3& end = corner.ends[i];
+        const std::vector<std::size_t>& vertices = complex.arcs()[end.arc].vertices;
+        CHECK((end.side == 0 ? vertices.front() : vertices.back()) == corner.vertex);
+      }
+      if((vector(complex.points()[corner.vertex]) - p).norm() < 0.01)
+        result += corner.ends.size();
+    }
+    return result;
+  }
+};
+
 } // namespace
 
 TEST_CASE("Edges of hexahedra follow a blunt ridge that a complex has as a feature")
@@ -285,4 +338,26 @@ TEST_CASE("The message and the result name a feature without room in the hexahed
   CHECK(result.features.number_of_corners_kept < result.features.number_of_corners);
   REQUIRE(!result.features.curves_given_up.empty());
   CHECK(result.message.find(" curves and ") != std::string::npos);
+}
+
+// Between the diagonal and long edges of the top, there are 5.7 degrees.
+TEST_CASE("Sides of a needle share their first part in a complex if that is asked for")
+{
+  const Body body(8, 0, [](const Vector3d& p) -> Vector3d { return { p[0], p[1] / 10, p[2] }; });
+  const Complex_with_diagonal apart(body, 8, { 0, 0, 8 }, 0), shared(body, 8, { 0, 0, 8 }, 0.1);
+  CHECK(apart.complex.arcs().size() == 13);
+  CHECK(apart.number_of_arcs_at({ 0, 0, 8 }) == 4);
+  CHECK(shared.complex.arcs().size() == 15);
+  CHECK(shared.number_of_arcs_at({ 0, 0, 8 }) == 3);
+  CHECK(shared.number_of_arcs_at({ 8, 0.8, 8 }) == 3);
+  std::size_t number_of_new_corners = 0;
+  for(const PM::internal::Corner_3& corner : shared.complex.corners())
+    if(!corner.is_of_body)
+    {
+      const auto& p = shared.complex.points()[corner.vertex];
+      CHECK((std::min)(p[0], 8 - p[0]) == Approx(1).margin(0.05));
+      CHECK(shared.number_of_arcs_at({ p[0], p[1], p[2] }) == 3);
+      ++number_of_new_corners;
+    }
+  CHECK(number_of_new_corners == 2);
 }

@@ -18,7 +18,9 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Polyline_3.h>
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
@@ -46,11 +48,12 @@ struct Corner_3
 };
 
 // Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
-// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs.
+// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. Arcs
+// that leave a corner as sides of a needle share their first part, as long as they are within a distance of each other.
 class Body_complex_3
 {
 public:
-  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points)
+  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_of_needles = 0)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
     const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
@@ -58,6 +61,8 @@ public:
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
     collect_ends();
+    if(width_of_needles > 0 && is_manifold())
+      share_needles(width_of_needles);
     find_surfaces();
   }
 
@@ -177,10 +182,7 @@ private:
       ends[{ v[0], v[1] }] = { a, 0 };
       ends[{ v.back(), v[v.size() - 2] }] = { a, 1 };
       m_corners_of_arcs.push_back({ m_numbers.at(v.front()), m_numbers.at(v.back()) });
-      std::vector<Vector_3> points;
-      for(const std::size_t w : v)
-        points.push_back(m_points[w]);
-      m_lines.emplace_back(points);
+      m_lines.push_back(line_through(v));
     }
     if(!is_manifold())
       return; // facets around a corner might not be in a circle
@@ -204,6 +206,119 @@ private:
     }
   }
 
+  Polyline_3 line_through(const std::vector<std::size_t>& vertices) const
+  {
+    std::vector<Vector_3> points;
+    for(const std::size_t v : vertices)
+      points.push_back(m_points[v]);
+    return Polyline_3(points);
+  }
+
+  void share_needles(const double width)
+  {
+    const std::size_t n = m_corners.size();
+    for(std::size_t c = 0; c < n; ++c)
+      for(std::size_t i = 0; i < m_corners[c].ends.size() && m_corners[c].ends.size() > 1; )
+        if(!share_needle(c, i, width))
+          ++i;
+  }
+
+  // Lets end i at a corner and the next one share their first part, up to a new corner: hexahedra have no room between them.
+  // The one that bends less is kept. Returns whether the part is long enough.
+  bool share_needle(const std::size_t c, const std::size_t i, const double width)
+  {
+    constexpr double least_length = 8; // a guess; in widths: needles have less than about 7 degrees
+    const std::size_t next = (i + 1) % m_corners[c].ends.size();
+    End_of_arc_3 kept = m_corners[c].ends[i], other = m_corners[c].ends[next];
+    if(kept.arc == other.arc)
+      return false;
+    const bool is_other_left = detour(kept.arc) <= detour(other.arc);
+    if(!is_other_left)
+      std::swap(kept, other);
+    const double of_other = shared_length(kept, other, width), along = m_lines[kept.arc].nearest(point_at(other, of_other)).second,
+                 shared = length_from(kept, along);
+    if(shared < least_length * width || m_lines[kept.arc].length() - shared < 2 * width
+       || m_lines[other.arc].length() - of_other < 2 * width)
+      return false;
+    m_points.push_back(m_lines[kept.arc].point(along));
+    add_stem(c, kept, other, shared, is_other_left);
+    begin_at_last_corner(kept, shared);
+    begin_at_last_corner(other, of_other);
+    m_corners[c].ends[i] = { m_arcs.size() - 1, 0 };
+    m_corners[c].ends.erase(m_corners[c].ends.begin() + next);
+    return true;
+  }
+
+  // Adds the first part of an arc as an arc to a new corner at the last point. The patch between the arc and the other one that
+  // shares this part is not beside it.
+  void add_stem(const std::size_t c, const End_of_arc_3& kept, const End_of_arc_3& other, const double length,
+                const bool is_other_left)
+  {
+    const auto patch = [&](const End_of_arc_3& end, const bool is_left)
+    { return m_arcs[end.arc].patches[(end.side == 0) != is_left]; };
+    Arc_3 stem = m_arcs[kept.arc];
+    stem.vertices = vertices_between(kept, 0, (1 - rounding) * length);
+    stem.vertices.push_back(m_points.size() - 1);
+    stem.patches = { patch(is_other_left ? other : kept, true), patch(is_other_left ? kept : other, false) };
+    const End_of_arc_3 back = { m_arcs.size(), 1 };
+    m_corners_of_arcs.push_back({ c, m_corners.size() });
+    m_corners.push_back({ m_points.size() - 1, false, { kept, other, back } });
+    if(!is_other_left)
+      std::swap(m_corners.back().ends[0], m_corners.back().ends[1]);
+    m_lines.push_back(line_through(stem.vertices));
+    m_arcs.push_back(stem);
+  }
+
+  // Lets an arc begin, or end, at the last corner, without its part up to a length.
+  void begin_at_last_corner(const End_of_arc_3& end, const double length)
+  {
+    std::vector<std::size_t> vertices = vertices_between(end, (1 + rounding) * length, 2 * m_lines[end.arc].length());
+    vertices.insert(vertices.begin(), m_corners.back().vertex);
+    if(end.side == 1)
+      std::reverse(vertices.begin(), vertices.end());
+    m_arcs[end.arc].vertices = vertices;
+    m_corners_of_arcs[end.arc][end.side] = m_corners.size() - 1;
+    m_lines[end.arc] = line_through(vertices);
+  }
+
+  static constexpr double rounding = 1e-9; // of lengths
+
+  // Returns how much longer an arc is than its chord.
+  double detour(const std::size_t arc) const
+  { return m_lines[arc].length() - (m_lines[arc].points().front() - m_lines[arc].points().back()).norm(); }
+
+  // Returns a length along an arc as one from an end of it, and vice versa.
+  double length_from(const End_of_arc_3& end, const double length) const
+  { return end.side == 0 ? length : m_lines[end.arc].length() - length; }
+
+  Vector_3 point_at(const End_of_arc_3& end, const double length) const
+  { return m_lines[end.arc].point(length_from(end, length)); }
+
+  // Returns how far an arc remains within a distance of another one.
+  double shared_length(const End_of_arc_3& kept, const End_of_arc_3& other, const double width) const
+  {
+    constexpr double step = 0.25; // a guess; in widths
+    double result = 0;
+    while(result < m_lines[other.arc].length()
+          && m_lines[kept.arc].nearest(point_at(other, result + step * width)).first <= width)
+      result += step * width;
+    return result;
+  }
+
+  // Returns the vertices of an arc between two lengths from one of its ends, in the order from there; the second length excludes.
+  std::vector<std::size_t> vertices_between(const End_of_arc_3& end, const double first, const double last) const
+  {
+    std::vector<std::pair<double, std::size_t> > vertices;
+    for(std::size_t k = 0; k < m_arcs[end.arc].vertices.size(); ++k)
+      if(const double length = length_from(end, m_lines[end.arc].lengths()[k]); length >= first && length < last)
+        vertices.emplace_back(length, m_arcs[end.arc].vertices[k]);
+    std::sort(vertices.begin(), vertices.end());
+    std::vector<std::size_t> result;
+    for(const auto& [length, v] : vertices)
+      result.push_back(v);
+    return result;
+  }
+
   void find_surfaces()
   {
     const std::size_t n = m_patches.empty() ? 0 : 1 + *std::max_element(m_patches.begin(), m_patches.end());
@@ -212,7 +327,7 @@ private:
         std::make_unique<Body_surface_3>(m_points, facets_of({ patch }), std::vector<std::array<std::size_t, 2> >()));
   }
 
-  const std::vector<Vector_3>& m_points;
+  std::vector<Vector_3> m_points;
   const std::vector<std::array<std::size_t, 3> > m_facets;
   std::vector<std::size_t> m_patches; // of each facet
   std::map<Edge, std::size_t> m_left; // facet on the left of a directed edge
