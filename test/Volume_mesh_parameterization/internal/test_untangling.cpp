@@ -42,6 +42,51 @@ TEST_CASE("A map with inverted cells is untangled")
   }
 }
 
+TEST_CASE("All free vertices of a cube leave the point where they start, without a split")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(5);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
+  const VMP::internal::Expansion_result_3 result = expand_core_3(mesh, false, linear_solver, progress);
+  CHECK(result.images.status == VMP::OK);
+  CHECK(result.edges.empty());
+  CHECK(has_target_boundary(mesh, result.images.positions));
+  CHECK(number_of_inverted_cells(mesh, result.images.positions) == 0);
+}
+
+TEST_CASE("No vertex leaves a point that does not see all of the boundary")
+{
+  const Numbered_mesh_3 mesh = ring(8);
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  VMP::internal::Progress_3 progress(VMP::internal::Budget(), 1000);
+  CHECK(expand_core_3(mesh, true, linear_solver, progress).images.status == VMP::ERROR_NOT_FLIP_FREE);
+  CHECK(progress.number_of_steps() == 0);
+}
+
+TEST_CASE("A split edge of the core keeps the volume of all open cells")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(3);
+  VMP::internal::Core_map_3 core(mesh, VMP::internal::Vector_3(1.4, 1.5, 1.6));
+  const auto volume_of_open_cells = [&]
+  {
+    double sum = 0;
+    for(int v = 0; v < core.number_of_vertices(); ++v)
+      for(const auto& side : core.sides(v))
+        if(core.is_open(side.cell))
+          sum += core.volume(side.cell) / 4; // which each of four vertices has
+    return sum;
+  };
+  const double before = volume_of_open_cells();
+  CHECK(before == Approx(6 * volume(mesh, mesh.target)));
+  for(const int w : core.neighbors(0))
+    if(core.is_prescribed(w))
+      core.split(0, w);
+  REQUIRE(core.splits().size() > 3);
+  CHECK(volume_of_open_cells() == Approx(before));
+}
+
 TEST_CASE("A patch puts back a vertex that was drawn out of its ring, and moves no other vertex but its neighbors")
 {
   const Numbered_mesh_3 mesh = cube_mesh(8);

@@ -45,6 +45,7 @@ struct Splits_3
   Edges_3 edges;
   std::vector<Vector_3> new_images;
   Matrix3Xd positions;
+  bool are_all = false; // is no cell inverted with them, in this order?
 };
 
 // Map that stages have found, how they ended, and why.

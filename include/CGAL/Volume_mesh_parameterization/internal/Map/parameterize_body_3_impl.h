@@ -264,12 +264,13 @@ Body_map_3 parameterize_body_3(Body_3 body, const Prescription_3& prescription, 
 
 // Splits edges of vertices.
 inline std::vector<Insertion_3> split_edges_of_vertices_3(Body_3& body, const std::vector<std::size_t>& points_of_vertices,
-                                                          const std::vector<std::array<int, 2> >& edges)
+                                                          const std::vector<std::array<int, 2> >& edges,
+                                                          const bool is_longest_first)
 {
   std::vector<std::array<std::size_t, 2> > edges_of_points;
   for(const auto& [v, w] : edges)
     edges_of_points.push_back({ points_of_vertices[v], points_of_vertices[w] });
-  return split_edges_3(body, edges_of_points);
+  return split_edges_3(body, edges_of_points, is_longest_first);
 }
 
 // Refines a body where the targets make cells degenerate, and bridges if this helps. Then searches, and refines where the search
@@ -313,7 +314,8 @@ Body_map_3 refine_and_parameterize_body_3(Body_3& body, Prescription_3 prescript
     if(!start.may_split || !found->is_blocked())
       break;
     const Refinement_plan_3 plan = plan_refinement_3(checked.numbered.mesh, *found, start);
-    const std::vector<Insertion_3> splits = split_edges_of_vertices_3(body, checked.numbered.points, plan.edges);
+    const std::vector<Insertion_3> splits = split_edges_of_vertices_3(body, checked.numbered.points, plan.edges,
+                                                                      !found->splits.are_all);
     if(splits.empty() && !found->is_stuck())
       break;
     number_of_splits += splits.size();

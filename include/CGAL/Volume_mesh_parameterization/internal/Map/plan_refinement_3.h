@@ -34,7 +34,7 @@ inline void sort_by_user_number(const Numbered_mesh_3& mesh, std::vector<std::si
 // Plans to split the edges that untangling has found, and to continue from its map. After rounds in vain, nothing is split.
 inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_start_3& before)
 {
-  const std::size_t number = found.map.number_of_inverted_cells;
+  const std::size_t number = found.splits.are_all ? 0 : found.map.number_of_inverted_cells;
   Refinement_plan_3 plan;
   plan.start.number_of_vain_rounds = number < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
   plan.start.fewest_inverted_cells = (std::min)(number, before.fewest_inverted_cells);
@@ -44,7 +44,7 @@ inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_st
   plan.new_images = found.splits.new_images;
   plan.start.stage = Search_start_3::Stage::UNTANGLING;
   plan.start.positions = found.splits.positions;
-  plan.start.method = "splits";
+  plan.start.method = found.splits.are_all ? "expansion of a core" : "splits";
   return plan;
 }
 

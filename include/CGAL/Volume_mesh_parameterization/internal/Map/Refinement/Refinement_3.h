@@ -264,9 +264,10 @@ private:
   Boundary_links_3 m_boundary;
 };
 
-// Splits the interior edges among the given pairs of points, longest first. Pairs that are no interior edge are ignored.
-// The time is linear in the number of cells.
-inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<std::array<std::size_t, 2> >& edges)
+// Splits the interior edges among the given pairs of points, longest first, or in their order. Pairs that are no interior edge are
+// ignored. The time is linear in the number of cells.
+inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<std::array<std::size_t, 2> >& edges,
+                                              const bool is_longest_first = true)
 {
   Refinement_3 refinement(body);
   std::set<std::pair<std::size_t, std::size_t> > known;
@@ -274,7 +275,8 @@ inline std::vector<Insertion_3> split_edges_3(Body_3& body, const std::vector<st
   for(const auto& [v, w] : edges)
     if(v != w && known.insert((std::minmax)(v, w)).second)
       sorted.emplace_back(refinement.squared_size({ v, w }), Simplex_3{ v, w });
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if(is_longest_first)
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
 
   std::vector<Insertion_3> result;
   for(const auto& [size, edge] : sorted)

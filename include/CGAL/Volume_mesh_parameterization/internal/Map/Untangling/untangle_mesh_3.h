@@ -12,6 +12,7 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Expansion/expand_core_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/prove_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 
@@ -50,6 +51,22 @@ public:
     m_progress.begin_attempt("splits");
     m_best.splits = find_splits_3(m_mesh, m_system.solver(), m_best.map, m_progress);
     return m_best.is_stuck();
+  }
+
+  // Starts with all free vertices at one point, if the domain is star-shaped and its boundary fixed.
+  void expand_core(const bool may_split)
+  {
+    if(!is_unsolved() || !m_mesh.is_whole() || !m_mesh.conditions.empty() || m_mesh.alignment || m_progress.is_interrupted())
+      return;
+    m_progress.begin_stage();
+    Expansion_result_3 expansion;
+    const Matrix3Xd end = keep_better("expansion of a core", [&]
+    {
+      expansion = expand_core_3(m_mesh, may_split, m_system.solver(), m_progress);
+      return expansion.images;
+    });
+    if(expansion.images.status == OK && !expansion.edges.empty())
+      m_best.splits = { std::move(expansion.edges), std::move(expansion.new_images), end, true };
   }
 
   // Chooses to split all edges of the inverted cells in the best map, if these are a small part of the mesh: the untangling energy
@@ -145,9 +162,9 @@ private:
 
 // Makes one attempt after the other, each from the start, until no cell is inverted, or all are in vain. Where one leaves few
 // cells, others mostly leave as many, so these are rather left to splits of edges, if these may be and are found. If all of this
-// fails, the attempts go on from where they have stopped.
+// fails, the attempts go on from where they have stopped, and at last a core is expanded, if it may be.
 inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& mesh, const Matrix3Xd& start,
-                            const bool may_split)
+                            const bool may_split, const bool may_expand)
 {
   std::vector<std::pair<Untangling_attempt_3, Matrix3Xd> > ends;
   for(const Untangling_attempt_3& attempt : untangling_attempts)
@@ -162,7 +179,11 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
   for(const auto& [attempt, end] : ends)
     if(mesh.is_whole() && search.is_unsolved() && !search.is_in_vain()) // processes would count other cells
       search.go_on(attempt, end);
-  if(may_split && !search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
+  if(may_split && search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
+    return;
+  if(may_expand && (may_split || !search.is_in_vain()))
+    search.expand_core(may_split);
+  if(may_split && !search.best().is_stuck() && !search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
     search.split_inverted_cells();
 }
 
@@ -172,17 +193,21 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
 {
   Untangling_search_3 search(system, start, progress, may_split);
   search.begin_with_patches(regular_start);
-  make_attempts_3(search, system.mesh(), start.positions, may_split);
+  make_attempts_3(search, system.mesh(), start.positions, may_split, true);
   return search.finish(progress.number_of_steps() > 0);
 }
 
-// Continues from images that an earlier search has left with few inverted cells, or none.
+// Continues from images that an earlier search has left with few inverted cells, or none. If the last splits were in vain, a core
+// is expanded first.
 inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, const bool may_split,
-                                         Progress_3& progress)
+                                         const bool is_last_in_vain, Progress_3& progress)
 {
   Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress, may_split);
   search.untangle_patches(start, "patches");
-  make_attempts_3(search, system.mesh(), Matrix3Xd(search.best().map.positions), may_split);
+  if(is_last_in_vain)
+    search.expand_core(may_split);
+  if(!search.best().is_stuck())
+    make_attempts_3(search, system.mesh(), Matrix3Xd(search.best().map.positions), may_split, false);
   return search.finish(true);
 }
 
@@ -276,7 +301,7 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
   progress.begin_stage();
   const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, system.solver(), progress);
   if(continues)
-    found = continue_untangling_3(system, initial, may_split, progress);
+    found = continue_untangling_3(system, initial, may_split, start.number_of_vain_rounds == 1, progress);
   else if(initial.cols() > 0)
   {
     found = untangle_from_3(system, initial, may_split, progress);
