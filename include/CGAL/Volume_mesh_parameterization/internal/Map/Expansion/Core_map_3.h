@@ -14,8 +14,13 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/facets_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
+#include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
+#include <vector>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -95,7 +100,7 @@ public:
     return result;
   }
 
-  // Returns the mean distance of the open facets around a vertex of the core, or of its neighbors, from the center.
+  // Returns the mean distance from the center of the neighbors of a vertex that are outside of the core.
   double distance_of_neighbors(const int v) const
   {
     double sum = 0;
@@ -151,7 +156,7 @@ public:
     std::vector<int> rim; // the first vertex of each edge
     for(const Side& side : sides(v))
       if(const std::array<int, 3> f = facet(side); number_in_core(f) == 1)
-        rim.push_back(f[is_in_core(f[0]) ? 1 : is_in_core(f[1]) ? 2 : 0]);
+        rim.push_back(edge_of_rim(f)[0]);
     std::sort(rim.begin(), rim.end());
     return std::adjacent_find(rim.begin(), rim.end()) == rim.end() && is_contractible_without(v);
   }
@@ -179,9 +184,8 @@ public:
         facets.push_back(f);
       if(number == 1)
       {
-        const int k = is_in_core(f[0]) ? 0 : is_in_core(f[1]) ? 1 : 2;
-        const Vector_3 a = position(f[(k + 1) % 3]) - m_center, b = position(f[(k + 2) % 3]) - m_center;
-        normals.push_back(b.normalized().cross(a.normalized()).normalized());
+        const auto [a, b] = edge_of_rim(f);
+        normals.push_back((position(b) - m_center).normalized().cross((position(a) - m_center).normalized()).normalized());
       }
     }
     if(facets.empty() || normals.empty())
@@ -324,6 +328,13 @@ public:
   }
 
 private:
+  // Returns the edge opposite to the only vertex of a facet in the core.
+  std::array<int, 2> edge_of_rim(const std::array<int, 3>& f) const
+  {
+    const int k = is_in_core(f[0]) ? 0 : is_in_core(f[1]) ? 1 : 2;
+    return { f[(k + 1) % 3], f[(k + 2) % 3] };
+  }
+
   const Numbered_mesh_3& m_mesh;
   std::vector<std::array<int, 4> > m_cells;
   Vector_3 m_center;

@@ -18,6 +18,7 @@
 
 #include <optional>
 #include <queue>
+#include <tuple>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -248,6 +249,5 @@ inline Expansion_result_3 expand_core_3(const Numbered_mesh_3& mesh, const bool 
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
-
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_EXPANSION_EXPAND_CORE_3_H

@@ -15,6 +15,10 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Energies/Untangling_energy_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Expansion/Core_map_3.h>
 
+#include <limits>
+#include <map>
+#include <set>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // The conformal energy |J|^2 / chi(D)^(2/3) of cells as a function of the image of one of their vertices, J from a regular cell,
@@ -133,6 +137,5 @@ inline bool untangle_around_3(Core_map_3& core, const int v)
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
-
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_INTERNAL_MAP_EXPANSION_RELAX_VERTICES_3_H
