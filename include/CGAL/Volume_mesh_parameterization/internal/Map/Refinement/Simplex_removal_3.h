@@ -141,7 +141,8 @@ private:
 //
 // A point inserted into a simplex removes all bad simplices that contain it. IsBad(simplex) is a condition on old
 // points, which a simplex with a new one does not fulfil: no insertion makes anything bad. So the numbers of bad
-// simplices around the candidates only fall, and it suffices to update the one at the top of the queue.
+// simplices around the candidates only fall, and it suffices to update the one at the top of the queue. All bad edges are split
+// in any case, the longest first: those of many bad simplices first leave meshes in which maps are hard to find.
 template <typename IsBad>
 class Simplex_removal_3
 {
@@ -167,7 +168,7 @@ public:
     {
       Candidate candidate = m_queue.top();
       m_queue.pop();
-      const std::size_t number_of_bad = count_bad(candidate.simplex);
+      const std::size_t number_of_bad = candidate.is_bad_edge ? 1 : count_bad(candidate.simplex);
       if(number_of_bad == 0)
         continue;
       if(number_of_bad < candidate.number_of_bad)
@@ -187,11 +188,11 @@ private:
   {
     Simplex_3 simplex;
     bool is_bad_edge;
-    std::size_t number_of_bad;
+    std::size_t number_of_bad; // 1 for a bad edge
     double size;
     std::size_t number;
 
-    // Edges come first, bad ones before others, then those of many bad simplices, then the longest.
+    // Edges come first, bad ones before others, then other simplices of many bad ones, then the longest.
     bool operator<(const Candidate& other) const
     {
       return std::make_tuple(other.simplex.size(), is_bad_edge, number_of_bad, size, other.number)
@@ -206,7 +207,8 @@ private:
     if(!m_known.insert(sorted).second || !m_refinement->is_interior(simplex, m_refinement->cells_around(simplex)))
       return;
     const bool is_bad_edge = simplex.size() == 2 && m_is_bad(simplex);
-    m_queue.push({ simplex, is_bad_edge, count_bad(simplex), m_refinement->squared_size(simplex), m_queue.size() });
+    const std::size_t number_of_bad = is_bad_edge ? 1 : count_bad(simplex);
+    m_queue.push({ simplex, is_bad_edge, number_of_bad, m_refinement->squared_size(simplex), m_queue.size() });
   }
 
   // The number of bad simplices that contain a candidate, counted in each cell around it.
