@@ -29,16 +29,6 @@ struct Diagnosis_3
 
 using Edges_3 = std::vector<std::array<int, 2> >;
 
-inline Edges_3 edges_of_cells(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
-{
-  Edges_3 result;
-  for(const std::size_t c : cells)
-    for(int i = 0; i < 4; ++i)
-      for(int j = i + 1; j < 4; ++j)
-        result.push_back({mesh.cells[c][i], mesh.cells[c][j]});
-  return result;
-}
-
 // Edges to split, and images of their new vertices and of all others.
 struct Splits_3
 {
@@ -92,7 +82,8 @@ struct Search_start_3
   double smallest_distance = std::numeric_limits<double>::infinity(); // of those after all refinements
   std::size_t number_of_vain_refinements = 0; // that did not lower that
   std::size_t fewest_inverted_cells = (std::numeric_limits<std::size_t>::max)(); // that rounds of splits have left
-  std::size_t number_of_vain_rounds = 0; // of splits that did not make them fewer
+  std::size_t number_of_rounds = 0; // of splits
+  std::size_t number_of_vain_rounds = 0; // those at the end that did not make them fewer
   bool may_split = false;           // may edges be split after the search?
   std::size_t patience = (std::numeric_limits<std::size_t>::max)(); // raises in vain, one after the other, that end it
 

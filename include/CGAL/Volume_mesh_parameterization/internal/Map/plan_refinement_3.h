@@ -31,11 +31,22 @@ inline void sort_by_user_number(const Numbered_mesh_3& mesh, std::vector<std::si
             [&](const std::size_t c, const std::size_t d) { return mesh.user_number(c) < mesh.user_number(d); });
 }
 
+inline Edges_3 edges_of_cells(const Numbered_mesh_3& mesh, const std::vector<std::size_t>& cells)
+{
+  Edges_3 result;
+  for(const std::size_t c : cells)
+    for(int i = 0; i < 4; ++i)
+      for(int j = i + 1; j < 4; ++j)
+        result.push_back({mesh.cells[c][i], mesh.cells[c][j]});
+  return result;
+}
+
 // Plans to split the edges that untangling has found, and to continue from its map. After rounds in vain, nothing is split.
 inline Refinement_plan_3 plan_splits_3(const Found_map_3& found, const Search_start_3& before)
 {
   const std::size_t number = found.splits.are_all ? 0 : found.map.number_of_inverted_cells;
   Refinement_plan_3 plan;
+  plan.start.number_of_rounds = before.number_of_rounds + 1;
   plan.start.number_of_vain_rounds = number < before.fewest_inverted_cells ? 0 : before.number_of_vain_rounds + 1;
   plan.start.fewest_inverted_cells = (std::min)(number, before.fewest_inverted_cells);
   if(plan.start.has_given_up_splits())

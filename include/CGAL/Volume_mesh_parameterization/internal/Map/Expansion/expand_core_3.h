@@ -72,31 +72,27 @@ public:
   explicit Expansion_3(Core_map_3& core) : m_core(core), m_stamps(core.number_of_vertices(), 0), m_failures(m_stamps)
   {}
 
-  // Lets all vertices leave that have enough room, and, if these are few, some that have little. Returns how many have left.
+  // Lets all vertices leave that have room. Returns how many have left.
   int expand(const Budget& budget)
   {
-    constexpr double enough = 0.05, little = 0.006; // guesses; sines of angles
-    const int few = m_core.size() / 50 + 1; // a guess
     int number = 0;
     m_queue = {};
     for(int v = 0; v < m_core.number_of_vertices(); ++v)
-      push(v, little);
+      push(v);
     while(!m_queue.empty() && m_core.size() > 1 && !budget.is_exhausted())
     {
       const auto [room, v, stamp] = m_queue.top();
       m_queue.pop();
-      if(room < enough && number >= few)
-        break;
       if(stamp == m_stamps[v] && m_core.is_in_core(v))
-        number += leaves(v, little);
+        number += leaves(v);
     }
     return number;
   }
 
-  // Makes room for vertices that have none. Returns how many have left then.
+  // Makes room for some vertices that have none. Returns how many have left then.
   int expand_by_untangling(const Budget& budget)
   {
-    constexpr int sufficient_number = 6; // a guess
+    constexpr int sufficient_number = 20; // a guess
     std::vector<std::pair<int, int> > candidates;
     for(int v = 0; v < m_core.number_of_vertices(); ++v)
       if(m_core.is_in_core(v) && m_core.may_leave(v))
@@ -157,7 +153,9 @@ public:
   }
 
 private:
-  void push(const int v, const double least_room)
+  static constexpr double least_room = 0.006; // a guess; the sine of an angle
+
+  void push(const int v)
   {
     if(!m_core.is_in_core(v) || !m_core.may_leave(v))
       return;
@@ -165,7 +163,7 @@ private:
       m_queue.emplace(room, v, ++m_stamps[v]);
   }
 
-  bool leaves(const int v, const double least_room)
+  bool leaves(const int v)
   {
     if(!m_core.may_leave(v))
       return false;
@@ -185,7 +183,7 @@ private:
         if(m_core.is_in_core(u))
           near.insert(u);
     for(const int u : near)
-      push(u, least_room);
+      push(u);
     return true;
   }
 
@@ -223,7 +221,7 @@ struct Expansion_result_3
 inline Expansion_result_3 expand_core_3(const Numbered_mesh_3& mesh, const bool may_split, Linear_solver_3& solver,
                                         Progress_3& progress)
 {
-  constexpr std::size_t few_steps = 2, many_steps = 20; // guesses
+  constexpr std::size_t number_of_steps = 20; // a guess
   constexpr int patience = 2; // a guess
   const std::optional<Vector_3> center = star_center_3(mesh);
   if(!center)
@@ -233,13 +231,14 @@ inline Expansion_result_3 expand_core_3(const Numbered_mesh_3& mesh, const bool 
   const Budget& budget = progress.budget();
   for(int number_in_vain = 0; core.size() > 1 && number_in_vain < patience && progress.may_continue(); )
   {
-    int number = expansion.expand(budget);
-    if(number == 0)
-      number = expansion.expand_by_untangling(budget);
-    number_in_vain = number > 0 ? 0 : number_in_vain + 1;
-    relax_open_cells_3(core, solver, budget, number > 0 ? few_steps : many_steps);
-    if(number_in_vain == patience && may_split && expansion.split_spokes())
+    if(expansion.expand(budget) > 0 || expansion.expand_by_untangling(budget) > 0)
       number_in_vain = 0;
+    else
+    {
+      relax_open_cells_3(core, solver, budget, number_of_steps);
+      if(++number_in_vain == patience && may_split && expansion.split_spokes())
+        number_in_vain = 0;
+    }
     Parameterization_step step;
     step.phase = Phase::UNTANGLING;
     step.number_of_inverted_cells = core.number_of_flat_cells();

@@ -42,7 +42,7 @@ struct Vertex_energy_3
     }
     const Matrix_3 J = P * inverse;
     const double chi = regularized_determinant(D, epsilon), slope = chi / std::sqrt(D * D + epsilon * epsilon);
-    const double square = CGAL::square(J.norm()), power = std::pow(chi, -2. / 3);
+    const double square = CGAL::square(J.norm()), power = 1 / std::cbrt(chi * chi);
     const Vector_3 of_square = -2 * row_sum * (J.col(0) + J.col(1) + J.col(2));
     const Vector_3 of_chi = -slope * inverse_determinant * (P.col(1) - P.col(0)).cross(P.col(2) - P.col(0));
     value += power * square;

@@ -69,15 +69,6 @@ public:
       m_best.splits = { std::move(expansion.edges), std::move(expansion.new_images), end, true };
   }
 
-  // Chooses to split all edges of the inverted cells in the best map, if these are a small part of the mesh: the untangling energy
-  // has a minimum there, and moves on once they have vertices of their own.
-  void split_inverted_cells()
-  {
-    constexpr double small_part = 0.05; // a guess
-    if(is_unsolved() && m_best.map.number_of_inverted_cells <= small_part * m_mesh.cells.size() && !m_progress.is_interrupted())
-      m_best.splits = { edges_of_cells(m_mesh, m_best.map.inverted_cells), {}, m_best.map.positions };
-  }
-
   // Returns the best map. Cells that have just become positive are flat, and are relaxed.
   Found_map_3 finish(const bool has_moved)
   {
@@ -183,8 +174,6 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
     return;
   if(may_expand && (may_split || !search.is_in_vain()))
     search.expand_core(may_split);
-  if(may_split && !search.best().is_stuck() && !search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
-    search.split_inverted_cells();
 }
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes the attempts from the start.
@@ -197,14 +186,14 @@ inline Found_map_3 untangle_map_3(Newton_system_3& system, const Map_3& start, c
   return search.finish(progress.number_of_steps() > 0);
 }
 
-// Continues from images that an earlier search has left with few inverted cells, or none. If the last splits were in vain, a core
-// is expanded first.
+// Continues from images that an earlier search has left with few inverted cells, or none. If the first splits do not suffice, a
+// core is expanded: further rounds take longer, and leave meshes in which it is harder.
 inline Found_map_3 continue_untangling_3(Newton_system_3& system, const Matrix3Xd& start, const bool may_split,
-                                         const bool is_last_in_vain, Progress_3& progress)
+                                         const bool may_expand, Progress_3& progress)
 {
   Untangling_search_3 search(system, evaluated_map(system.mesh(), start), progress, may_split);
   search.untangle_patches(start, "patches");
-  if(is_last_in_vain)
+  if(may_expand)
     search.expand_core(may_split);
   if(!search.best().is_stuck())
     make_attempts_3(search, system.mesh(), Matrix3Xd(search.best().map.positions), may_split, false);
@@ -301,7 +290,7 @@ inline Found_map_3 untangle_mesh_3(Newton_system_3& system, const Search_start_3
   progress.begin_stage();
   const Matrix3Xd initial = continues ? start.positions : completed_initial_map_3(mesh, system.solver(), progress);
   if(continues)
-    found = continue_untangling_3(system, initial, may_split, start.number_of_vain_rounds == 1, progress);
+    found = continue_untangling_3(system, initial, may_split, start.number_of_rounds == 1, progress);
   else if(initial.cols() > 0)
   {
     found = untangle_from_3(system, initial, may_split, progress);
