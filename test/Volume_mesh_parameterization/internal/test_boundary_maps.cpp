@@ -5,6 +5,7 @@
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/Radial_map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Sphere/matched_features_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/coarsen_surface_3.h>
 
 #include <algorithm>
@@ -71,4 +72,13 @@ TEST_CASE("coarsening to a tetrahedron is undone exactly")
     std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), original[v].front()), ring.end());
     CHECK(ring == original[v]);
   }
+}
+
+TEST_CASE("an edge on a curve is split at a vertex of the curve, but at none that is an end of the edge up to rounding")
+{
+  const double third = 0.1 + 0.2; // more than 0.3
+  const VMP::internal::Feature_curve_3 curve
+    = { { 0, 1, 2 }, VMP::internal::Polyline_3({ { 0, 0, 0 }, { third, 0, 0 }, { third, 1, 0 } }) };
+  CHECK(curve.farthest_vertex(0.1, 1.2).second == third);
+  CHECK(curve.farthest_vertex(0.3, 1.2).second == Approx(0.75));
 }

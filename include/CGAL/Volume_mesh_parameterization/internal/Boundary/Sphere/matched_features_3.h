@@ -39,15 +39,19 @@ struct Feature_curve_3
   Vector_3 point(const double length) const { return line.point(turned_back(length)); }
 
   // Returns the largest distance of a vertex between two lengths from the segment that joins their points, and the length at this
-  // vertex; the middle without a vertex.
+  // vertex; the middle without a vertex. A vertex that rounding alone keeps from an end is there.
   std::pair<double, double> farthest_vertex(const double first, const double last) const
   {
+    constexpr double rounding = 1e-9;
     const Polyline_3 chord({ point(first), point(last) });
     std::pair<double, double> result(0, (first + last) / 2);
     for(std::size_t i = 0; i < vertices.size(); ++i)
       for(const int turns : { -1, 0, 1 })
-        if(const double length = line.lengths()[i] + turns * line.length(); (length - first) * (length - last) < 0)
+      {
+        const double length = line.lengths()[i] + turns * line.length(), part = (length - first) / (last - first);
+        if((std::min)(part, 1 - part) > rounding)
           result = (std::max)(result, { chord.nearest(line.points()[i]).first, length });
+      }
     return result;
   }
 
