@@ -105,14 +105,10 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
   Found_map_3 found = find_map_from_start_3(mesh, problem, start);
   if(!mesh.alignment || are_some_in_boundary(mesh.sliding_conditions))
     return found;
-  const auto energy = [&](const Map_3& map)
-  {
-    return mean_energy_3(mesh, singular_values_of_cells_3(mesh, map.positions), problem.energy,
-                         factor_to_source_volume(mesh, map.positions));
-  };
+  const auto energy = [&](const Found_map_3& f) { return mean_energy_3(mesh, f.map.positions, problem.energy); };
   if(mesh.initial.cols() == 0 && start.stage == Search_start_3::Stage::NONE && is_crumpled(mesh, found))
     if(std::optional<Found_map_3> staged = find_map_in_stages_3(mesh, problem); staged
-       && (!found.map.is_solution() || energy(staged->map) < energy(found.map)))
+       && (!found.map.is_solution() || energy(*staged) < energy(found)))
       found = std::move(*staged);
   return found.map.is_solution() ? nearest_to_source_3(mesh, problem, std::move(found)) : found;
 }

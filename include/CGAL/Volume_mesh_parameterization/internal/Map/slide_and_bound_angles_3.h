@@ -38,11 +38,7 @@ Found_map_3 bound_angle_distortion_3(const Numbered_mesh_3& mesh, const Map_prob
   if(excess < 0)
     return found;
   constexpr double high_price = 2; // a guess; of the energy before
-  const auto energy = [&](const Matrix3Xd& positions)
-  {
-    return mean_energy_3(mesh, singular_values_of_cells_3(mesh, positions), problem.energy,
-                         factor_to_source_volume(mesh, positions));
-  };
+  const auto energy = [&](const Matrix3Xd& positions) { return mean_energy_3(mesh, positions, problem.energy); };
   const double bearable_energy = high_price * energy(found.map.positions);
   Map_3 nearest = found.map; // to the bound, of those with a bearable energy
   const Any_energy_3 unbounded(std::shared_ptr<const Cell_energy_3>(std::shared_ptr<void>(), &problem.energy));

@@ -105,23 +105,6 @@ inline void divide(Numbered_surface_3& surface, Point_pairs_3& landmarks, Vector
     pair.*side = pair.*side / size;
 }
 
-// Returns the ways in which landmarks or axes turn the surface of a pair.
-inline std::vector<Surface_pair_3> turned_pairs(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
-                                                const bool have_features, const double epsilon, const Budget& budget)
-{
-  constexpr int number_of_sweeps = 5; // a guess
-  const Surface_on_sphere_3 on_sphere(pair.target.surface->points, pair.target.surface->facets, pair.target.directions);
-  std::vector<Surface_pair_3> result;
-  for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks,
-                                          have_features))
-  {
-    result.push_back(pair);
-    turn_to_landmarks_3(wanted, result.back().surface.directions);
-    result.back().relax(number_of_sweeps, epsilon, budget);
-  }
-  return result;
-}
-
 // Curves of sharp edges of a surface and of its target.
 using Curves_of_pair_3 = std::array<std::vector<Feature_curve_3>, 2>;
 
@@ -142,15 +125,20 @@ inline std::vector<Curves_of_pair_3> curves_of_pair_3(const Numbered_surface_3& 
   return result;
 }
 
-// Returns the ways in which the surface of a pair is turned, each with the features that it meets, by the first of several lists
-// of curves, or by one by which all are met. These ways, and then those with the least distortion, come first.
+// Returns the ways in which landmarks or axes turn the surface of a pair, each with the features that it meets, by the first of
+// several lists of curves, or by one by which all are met. These ways, and then those with the least distortion, come first.
 inline std::vector<Surface_pair_3> sorted_ways(const Surface_pair_3& pair, const Point_pairs_3& landmarks,
                                                const std::vector<Curves_of_pair_3>& curves, const double epsilon,
                                                const Budget& budget)
 {
-  std::vector<Surface_pair_3> result = turned_pairs(pair, landmarks, !curves.empty(), epsilon, budget);
-  for(Surface_pair_3& turned : result)
+  constexpr int number_of_sweeps = 5; // a guess
+  const Surface_on_sphere_3 on_sphere(pair.target.surface->points, pair.target.surface->facets, pair.target.directions);
+  std::vector<Surface_pair_3> result;
+  for(const auto& wanted : wanted_directions_3(*pair.surface.surface, *pair.target.surface, on_sphere, landmarks, !curves.empty()))
   {
+    Surface_pair_3& turned = result.emplace_back(pair);
+    turn_to_landmarks_3(wanted, turned.surface.directions);
+    turned.relax(number_of_sweeps, epsilon, budget);
     for(std::size_t i = 0; i < curves.size() && !turned.features.are_complete; ++i)
       if(auto found = matched_features_3(curves[i][0], curves[i][1], *pair.target.surface, turned.images);
          i == 0 || found.are_complete)
@@ -263,12 +251,10 @@ inline Error_code map_to_surface_3(Numbered_surface_3 surface, Numbered_surface_
   const std::vector<Surface_pair_3> ways = sorted_ways(pair, landmarks, curves, smooth, budget);
   const bool have_features
     = std::any_of(ways.begin(), ways.end(), [](const Surface_pair_3& way) { return !way.features.points.empty(); });
-  if(have_features)
-    best = best_fitted_pair(ways, smooth, is_fitted, budget);
-  if(best.images.empty()) // features that are alike by chance may be in the way
-    best = best_fitted_pair(sorted_ways(pair, landmarks, {}, smooth, budget), smooth, is_fitted, budget);
-  if(best.images.empty() && !have_features) // the axes as they are may help
-    best = best_fitted_pair(ways, smooth, is_fitted, budget);
+  // features that are alike by chance may be in the way, and without features, the axes as they are may help
+  for(const bool with_curves : { have_features, !have_features })
+    if(best.images.empty())
+      best = best_fitted_pair(with_curves ? ways : sorted_ways(pair, landmarks, {}, smooth, budget), smooth, is_fitted, budget);
   if(best.images.empty())
     return ERROR_BOUNDARY_NOT_FITTED;
   Split_fit_3 fit(best, mesh, triangulated);

@@ -112,6 +112,9 @@ inline double mean_energy_3(const Numbered_mesh_3& mesh, const std::vector<Vecto
   return std::isnan(result) ? std::numeric_limits<double>::infinity() : result;
 }
 
+inline double mean_energy_3(const Numbered_mesh_3& mesh, const Matrix3Xd& image, const Cell_energy_3& energy)
+{ return mean_energy_3(mesh, singular_values_of_cells_3(mesh, image), energy, factor_to_source_volume(mesh, image)); }
+
 inline double angle_distortion_of_facet(const Facet_edges_3& X, const Facet_edges_3& U)
 {
   const auto [a, b] = squared_singular_values_of_facet(X, U);

@@ -28,8 +28,7 @@ public:
   // Returns the number of directions that are open at some positions.
   int number(const Matrix3Xd& positions) const
   {
-    const System system(*this, positions);
-    return static_cast<int>(solved(Square::Identity(), system.conditions).second.cols());
+    return static_cast<int>(solved(Square::Identity(), System(*this, positions).conditions).second.cols());
   }
 
   // Returns the positions moved such that the sum of the squared distances to the source is least, first without the centers of
