@@ -3,6 +3,8 @@
 #include "map_checks.h"
 
 #include <CGAL/Volume_mesh_parameterization/Dirichlet_energy_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Numbered_body_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Staged_targets_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/minimize_map_3.h>
 #ifdef CGAL_VOLUME_MESH_PARAMETERIZATION_USE_CHOLMOD
 #  include <CGAL/Volume_mesh_parameterization/CHOLMOD_solver_traits_3.h>
@@ -265,4 +267,31 @@ TEST_CASE("A cell that the boundary makes flat does not keep the other vertices 
   for(const std::size_t c : dominant.cells)
     CHECK(std::find(mesh.cells[c].begin(), mesh.cells[c].end(), moved) != mesh.cells[c].end());
   CHECK(dominant_cells_3(mesh, problem.energy, mesh.source).cells.empty());
+}
+
+TEST_CASE("Targets that move like one rigid body go along arcs, also where no edges connect their vertices")
+{
+  const VMP::Tetrahedron_soup_3 soup = source_soup(cube_mesh(6, 0));
+  std::vector<std::array<double, 3> > targets = soup.points;
+  std::vector<bool> is_prescribed(targets.size());
+  const auto turned = [](const double x, const double angle)
+  { return Vector3d(1 + (x - 1) * std::cos(angle), 3 + (x - 1) * std::sin(angle), 3); };
+  constexpr double angle = 5 * CGAL_PI / 6;
+  for(std::size_t v = 0; v < targets.size(); ++v)
+    if(const auto [x, y, z] = targets[v]; y == 3 && z == 3 && (x == 1 || x == 3 || x == 5))
+    {
+      is_prescribed[v] = true;
+      targets[v] = { turned(x, angle)[0], turned(x, angle)[1], 3 };
+    }
+  const auto body = VMP::internal::body_of(soup.points, soup.cells);
+  Numbered_mesh_3 mesh = VMP::internal::Numbered_body_3(body, is_prescribed, targets).mesh;
+  mesh.alignment.emplace();
+  const VMP::internal::Staged_targets_3 staged(mesh);
+  CHECK(staged.number_of_stages() == 10);
+  for(const double part : { 0.2, 0.5, 1. })
+  {
+    const Numbered_mesh_3 at_part = staged.mesh_at(part);
+    for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
+      CHECK((Vector3d(at_part.target.col(v)) - turned(mesh.source(0, v), part * angle)).norm() < 1e-8);
+  }
 }
