@@ -80,12 +80,8 @@ TEST_CASE("bent polycubes are straightened, with one coordinate for each chart")
 }
 
 // The coordinates of faces, in units of the spacing; those that are no multiples, bit by bit, are lost.
-template <typename IsSolid>
-std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_solid, const double spacing)
+std::set<std::pair<std::size_t, double> > multiples_of_faces(Labelled_complex& complex, const double spacing)
 {
-  const Labelled_complex straight(bricks(size, is_solid, in_place));
-  Labelled_complex complex(bricks(size, is_solid, bend));
-  copy_labels(straight, complex);
   REQUIRE(complex.parameterize_with_labels(spacing) == VMP::OK);
   std::set<std::pair<std::size_t, double> > result;
   for(const Facet& f : complex.boundary())
@@ -99,6 +95,15 @@ std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_so
   return result;
 }
 
+template <typename IsSolid>
+std::set<std::pair<std::size_t, double> > multiples_of_bent(const IsSolid& is_solid, const double spacing)
+{
+  const Labelled_complex straight(bricks(size, is_solid, in_place));
+  Labelled_complex complex(bricks(size, is_solid, bend));
+  copy_labels(straight, complex);
+  return multiples_of_faces(complex, spacing);
+}
+
 TEST_CASE("faces of a polycube get multiples of a spacing")
 {
   CHECK(multiples_of_bent(is_stair, 0.1).size() == 11);
@@ -108,7 +113,7 @@ TEST_CASE("faces of a polycube get multiples of a spacing")
   CHECK(multiples_of_bent(is_ring, 50).size() == 10); // no edge is lost, although the body is smaller
 }
 
-TEST_CASE("a spacing that makes a polycube touch itself is named")
+TEST_CASE("faces that face each other stay apart at multiples of any spacing")
 {
   // two columns in the middle face each other across a gap of 1
   Labelled_complex complex(bricks({4, 3, 7}, [](const int x, const int y, const int z)
@@ -118,9 +123,8 @@ TEST_CASE("a spacing that makes a polycube touch itself is named")
   CHECK(complex.parameterize(1) == VMP::OK);
   CHECK(complex.parameterize() == VMP::OK);
   copy_labels(complex, complex);
-  CHECK(complex.parameterize_with_labels(2) == VMP::ERROR_SPACING_TOO_COARSE);
-  CHECK(complex.image.empty());
-  CHECK(complex.parameterize_with_labels(1) == VMP::OK); // smaller, as the message says
+  for(const double spacing : { 1., 2., 10. })
+    CHECK(multiples_of_faces(complex, spacing).size() == 15); // 5 along x, 4 along y, 6 along z
   CHECK(complex.parameterize(1e200) == VMP::ERROR_SPACING_TOO_COARSE);
   CHECK_THROWS_AS(complex.parameterize(-1), CGAL::Precondition_exception);
 }

@@ -105,7 +105,8 @@ triangles \cgalCite{cgal:gkkrs-ffm-21} is minimized.
 <b>Coordinates of faces</b>. The first coordinates are those closest to the mean coordinates of the charts in least squares.
 Then Newton's method changes them such that lengths on the polycube approximate lengths on the boundary. If this polycube has
 no valid map, the first coordinates are taken. The polycube has at least the volume of the body and lies where the body lies.
-With a spacing, it is moved by at most half of the spacing along each axis.
+With a spacing, it is moved by at most half of the spacing along each axis. If it would touch itself at multiples of the spacing,
+the polycube without a spacing is moved there: its planes keep their order, and faces that face each other stay apart.
 
 <b>Axes</b>. With `Polycube_axes::FOUND`, the body is turned such that its normals are nearly closest to the axes. The
 polycube is that of the turned body, and the result contains the rotation. A body that is almost aligned is not turned, and
@@ -233,7 +234,7 @@ public:
     constexpr std::size_t none = Polycube_result::no_label;
     m_result->labels.assign(body.cells.size(), { none, none, none, none });
     for(std::size_t f = 0; f < surface.facets.size(); ++f)
-      m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = label_of_image(surface.facets[f], images);
+      m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = internal::label_of_image(surface.facets[f], images);
   }
 
   // Orders the labels as the cells of the refined complex.
@@ -277,18 +278,6 @@ private:
         break; // the body may be refined for it, and dearer ones are not better
     }
     return found.status;
-  }
-
-  // Returns the direction of the normal of a facet's image on a polycube.
-  static std::size_t label_of_image(const std::array<std::size_t, 3>& facet, const std::vector<internal::Vector_3>& images)
-  {
-    const internal::Vector_3 &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
-    std::size_t axis = 0;
-    while(axis < 2 && (p[axis] != q[axis] || p[axis] != r[axis]))
-      ++axis;
-    const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-    const auto point = [&](const internal::Vector_3& image) { return internal::Boundary_point_2(image[u], image[v]); };
-    return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
   }
 
   double m_spacing;

@@ -13,6 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
 
 #include <array>
 #include <cmath>
@@ -31,6 +32,19 @@ struct Surface_map_3
   double distortion = (std::numeric_limits<double>::infinity)();
   std::vector<std::array<std::size_t, 2> > splits = {};
 };
+
+// Returns the direction of the normal of a facet's image on a polycube.
+template <typename Facet>
+std::size_t label_of_image(const Facet& facet, const std::vector<Vector_3>& images)
+{
+  const Vector_3 &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
+  std::size_t axis = 0;
+  while(axis < 2 && (p[axis] != q[axis] || p[axis] != r[axis]))
+    ++axis;
+  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
+  const auto point = [&](const Vector_3& image) { return Boundary_point_2(image[u], image[v]); };
+  return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
+}
 
 // Returns what a polycube costs: the distortion, times the third root of the factor by which splits multiply the vertices. So
 // voxels, with a usual factor of 2.4, must have three quarters of the distortion of others: they multiply the cells inside.

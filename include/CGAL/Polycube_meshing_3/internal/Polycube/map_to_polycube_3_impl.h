@@ -17,6 +17,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Unit_surface_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/Voxels/map_to_voxels_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_bodies_apart_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Polycube/map_in_order_of_planes_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_bounding_box_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/map_to_polycube_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Polycube/rotation_to_axes_3.h>
@@ -79,8 +80,9 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
       found = map_to_polycube_3(problem, budget);
     return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
   };
+  const auto search = [&](const Unit_surface_3& surface) { return Search_for_polycube_3(surface, budget).run(); };
   const std::array<Polycube_strategy_3, 4> strategies = {{
-    { "labels", true, 0, [&] { return Search_for_polycube_3(turned, budget).run(); } },
+    { "labels", true, 0, [&] { return map_with_thin_walls_3(turned, search, budget); } },
     { "bounding box", kind == OK, 0.5, [&] { return map_to_bounding_box_3(turned, budget); } },
     { "bodies side by side", !is_connected, (std::numeric_limits<double>::infinity)(),
       [&] { return map_bodies_apart_3(turned.surface, turned.spacing, map_body); } },
@@ -93,17 +95,14 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
   return found;
 }
 
-inline Found_polycubes_3 map_to_labelled_polycube_3(const Turned_surface_3& turned, const std::vector<std::size_t>& labels,
-                                                    const Budget& budget)
+inline Surface_map_3 map_with_labels_3(const Unit_surface_3& surface, const std::vector<std::size_t>& labels, const Budget& budget)
 {
-  Found_polycubes_3 found;
-  Polycube_map_3 map(turned, labels);
+  Polycube_map_3 map(surface, labels);
   const Error_code status = map.start_close_to_surface(budget);
-  add("given labels", turned.rotation, status == OK ? finished_map_3(map, budget) : Surface_map_3{ status }, found);
-  return found;
+  return status == OK ? finished_map_3(map, budget) : Surface_map_3{ status };
 }
 
-// Maps a surface whose order is that of the search. If there is no polycube with the spacing, tells whether there is one without.
+// Maps a surface whose order is that of the search.
 inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem, const Budget& budget)
 {
   constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
@@ -113,16 +112,11 @@ inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem
   if(const Error_code status = build_boundary_mesh_3(problem.surface, mesh); status != OK)
     return { status };
   const Turned_surface_3 turned = turned_surface_3(problem, mesh);
-  Found_polycubes_3 found = problem.labels.empty() ? map_by_strategies_3(turned, problem.may_split, budget)
-                                                   : map_to_labelled_polycube_3(turned, problem.labels, budget);
-  if(found.status != OK && problem.spacing > 0)
-  {
-    Polycube_problem_3 without_spacing = problem;
-    without_spacing.spacing = 0;
-    without_spacing.may_split = false;
-    if(map_ordered_surface_3(without_spacing, budget).status == OK)
-      found.status = ERROR_SPACING_TOO_COARSE;
-  }
+  if(problem.labels.empty())
+    return map_by_strategies_3(turned, problem.may_split, budget);
+  Found_polycubes_3 found;
+  const auto map = [&](const Unit_surface_3& surface) { return map_with_labels_3(surface, problem.labels, budget); };
+  add("given labels", turned.rotation, map_with_thin_walls_3(turned, map, budget), found);
   return found;
 }
 
