@@ -456,7 +456,7 @@ TEST_CASE("A result that is not as asked for has a status and a sentence that he
     CHECK(folder.run("angle.mesh --to cube --slide -o map.mesh --report report.json" + bound) == status);
     return number(folder.text("report.json"), "energy_value");
   };
-  CHECK(energy_of(" --max-angle-distortion 6", 1) <= 2 * energy_of("", 0));
+  CHECK(energy_of(" --max-angle-distortion 5.5", 1) <= 2 * energy_of("", 0));
 
   Soup mirror = source;
   for(Point& p : mirror.points)

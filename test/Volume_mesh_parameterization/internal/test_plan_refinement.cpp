@@ -428,6 +428,24 @@ TEST_CASE("Given edges are split, longest first, and others are ignored")
   CHECK(body.cells.size() == 48 + 6 + 4 + 6);
 }
 
+TEST_CASE("Edges that must go are split longest first, and facets and cells then need no vertex")
+{
+  const Numbered_mesh_3 mesh = cube_mesh(2);
+  const auto number_of_points = static_cast<std::size_t>(mesh.source.cols());
+  internal::Body_3 body = internal::body_of(source_soup(mesh));
+  const auto is_old = [&](const internal::Simplex_3& simplex)
+  { return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v) { return v < number_of_points; }); };
+  const auto inserted = internal::Simplex_removal_3(body, is_old).run(std::vector<bool>(number_of_points, true), internal::Budget());
+  REQUIRE(inserted.size() > 1);
+  std::vector<double> lengths;
+  for(const internal::Insertion_3& insertion : inserted)
+  {
+    REQUIRE(insertion.simplex.size() == 2);
+    lengths.push_back((mesh.source.col(insertion.simplex[0]) - mesh.source.col(insertion.simplex[1])).norm());
+  }
+  CHECK(std::is_sorted(lengths.rbegin(), lengths.rend()));
+}
+
 TEST_CASE("Once edges at the boundary are split, only new vertices inside are joined to those there")
 {
   const Numbered_mesh_3 mesh = cube_mesh(3);

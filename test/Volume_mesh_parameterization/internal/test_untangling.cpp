@@ -344,9 +344,7 @@ TEST_CASE("Where no splits are found, untangling goes on with the next attempt, 
       const Attempts attempts = attempts_at(mesh, snapped(mesh, mesh.source), may_split);
       const std::size_t number_of_rounds = has_few_inverted_cells ? 2 : 1; // attempts that left few cells to patches go on
       CHECK(attempts.at_whole_mesh.size() == number_of_rounds * VMP::internal::untangling_attempts.size());
-      const bool are_all_split = may_split && has_few_inverted_cells; // edges of the inverted cells
-      CHECK(attempts.found.splits.edges
-            == (are_all_split ? edges_of_cells(mesh, attempts.found.map.inverted_cells) : VMP::internal::Edges_3()));
+      CHECK(!attempts.found.is_stuck());
       const std::size_t number_of_rings = 3;
       CHECK(attempts.number_at_splits == (may_split ? number_of_rings * VMP::internal::patch_attempts().size() : 0));
     }

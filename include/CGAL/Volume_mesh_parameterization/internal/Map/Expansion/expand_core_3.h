@@ -223,6 +223,7 @@ inline Expansion_result_3 expand_core_3(const Numbered_mesh_3& mesh, const bool 
 {
   constexpr std::size_t number_of_steps = 20; // a guess
   constexpr int patience = 2; // a guess
+  const std::size_t maximum_number_of_splits = mesh.number_of_vertices() / 5; // a guess: a ball that succeeds needs a tenth
   const std::optional<Vector_3> center = star_center_3(mesh);
   if(!center)
     return { { mesh.target, 0, ERROR_NOT_FLIP_FREE }, {}, {} };
@@ -236,7 +237,8 @@ inline Expansion_result_3 expand_core_3(const Numbered_mesh_3& mesh, const bool 
     else
     {
       relax_open_cells_3(core, solver, budget, number_of_steps);
-      if(++number_in_vain == patience && may_split && expansion.split_spokes())
+      const bool may_split_more = may_split && core.splits().size() < maximum_number_of_splits;
+      if(++number_in_vain == patience && may_split_more && expansion.split_spokes())
         number_in_vain = 0;
     }
     Parameterization_step step;

@@ -153,7 +153,7 @@ private:
 
 // Makes one attempt after the other, each from the start, until no cell is inverted, or all are in vain. Where one leaves few
 // cells, others mostly leave as many, so these are rather left to splits of edges, if these may be and are found. If all of this
-// fails, the attempts go on from where they have stopped, and at last a core is expanded, if it may be.
+// fails, a core is expanded, if it may be, and at last the attempts go on from where they have stopped.
 inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& mesh, const Matrix3Xd& start,
                             const bool may_split, const bool may_expand)
 {
@@ -167,13 +167,15 @@ inline void make_attempts_3(Untangling_search_3& search, const Numbered_mesh_3& 
     if(may_split && search.finds_splits())
       return;
   }
+  if(may_expand && (may_split || !search.is_in_vain()))
+    search.expand_core(may_split);
+  if(search.best().is_stuck())
+    return;
   for(const auto& [attempt, end] : ends)
     if(mesh.is_whole() && search.is_unsolved() && !search.is_in_vain()) // processes would count other cells
       search.go_on(attempt, end);
-  if(may_split && search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells())))
-    return;
-  if(may_expand && (may_split || !search.is_in_vain()))
-    search.expand_core(may_split);
+  if(may_split)
+    search.finds_splits(maximum_number_of_exceptions(mesh.global_number_of_cells()));
 }
 
 // Few inverted cells of a map with respect to regular cells are patched. Otherwise makes the attempts from the start.
