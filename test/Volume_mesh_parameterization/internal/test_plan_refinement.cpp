@@ -435,7 +435,8 @@ TEST_CASE("Edges that must go are split longest first, and facets and cells then
   internal::Body_3 body = internal::body_of(source_soup(mesh));
   const auto is_old = [&](const internal::Simplex_3& simplex)
   { return std::all_of(simplex.begin(), simplex.end(), [&](const std::size_t v) { return v < number_of_points; }); };
-  const auto inserted = internal::Simplex_removal_3(body, is_old).run(std::vector<bool>(number_of_points, true), internal::Budget());
+  const std::vector<internal::Insertion_3> inserted
+    = internal::Simplex_removal_3(body, is_old).run(std::vector<bool>(number_of_points, true), internal::Budget());
   REQUIRE(inserted.size() > 1);
   std::vector<double> lengths;
   for(const internal::Insertion_3& insertion : inserted)
