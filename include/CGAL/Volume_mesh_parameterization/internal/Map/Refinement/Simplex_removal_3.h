@@ -168,7 +168,7 @@ public:
     {
       Candidate candidate = m_queue.top();
       m_queue.pop();
-      const std::size_t number_of_bad = candidate.is_bad_edge ? 1 : count_bad(candidate.simplex);
+      const std::size_t number_of_bad = count_bad(candidate.simplex, candidate.is_bad_edge);
       if(number_of_bad == 0)
         continue;
       if(number_of_bad < candidate.number_of_bad)
@@ -207,13 +207,14 @@ private:
     if(!m_known.insert(sorted).second || !m_refinement->is_interior(simplex, m_refinement->cells_around(simplex)))
       return;
     const bool is_bad_edge = simplex.size() == 2 && m_is_bad(simplex);
-    const std::size_t number_of_bad = is_bad_edge ? 1 : count_bad(simplex);
-    m_queue.push({ simplex, is_bad_edge, number_of_bad, m_refinement->squared_size(simplex), m_queue.size() });
+    m_queue.push({ simplex, is_bad_edge, count_bad(simplex, is_bad_edge), m_refinement->squared_size(simplex), m_queue.size() });
   }
 
-  // The number of bad simplices that contain a candidate, counted in each cell around it.
-  std::size_t count_bad(const Simplex_3& simplex) const
+  // The number of bad simplices that contain a candidate, counted in each cell around it. It does not matter for bad edges.
+  std::size_t count_bad(const Simplex_3& simplex, const bool is_bad_edge) const
   {
+    if(is_bad_edge)
+      return 1;
     std::size_t count = 0;
     for(const std::size_t c : m_refinement->cells_around(simplex))
       for_each_face(m_refinement->cell(c), [&](const Simplex_3& face)
