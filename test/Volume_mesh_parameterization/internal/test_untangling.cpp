@@ -406,6 +406,35 @@ TEST_CASE("A search for splits that is ended after the first attempt that helps 
   CHECK(number_of_edges == 16);
 }
 
+TEST_CASE("Attempts to do without splits end if they have more cells than they may")
+{
+  const Numbered_mesh_3 mesh = prism_to_U();
+  Solver<> solver;
+  VMP::internal::Linear_solver_of<Solver<> > linear_solver(solver);
+  Matrix3Xd image = mesh.target;
+  image.col(0) = Vector3d(1.5, 0.5, 0.5);
+  image = untangled_patch_3(mesh, linear_solver, image, VMP::internal::Budget());
+  VMP::internal::Patch_3 whole = { { 0 }, {} };
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    whole.cells.push_back(c);
+  const VMP::internal::Patch_mesh_3 patch(mesh, image, whole);
+  std::vector<std::size_t> numbers_of_attempts, numbers_of_edges;
+  for(const std::size_t number_of_cells : { std::size_t(0), 3 * mesh.cells.size(), 1000 * mesh.cells.size() })
+  {
+    std::size_t number_of_attempts = 0;
+    const auto splits = splits_of_patch_3(patch, linear_solver, true, number_of_cells, VMP::internal::Budget(),
+                                          [&] { return ++number_of_attempts > 0; });
+    REQUIRE(splits);
+    numbers_of_attempts.push_back(number_of_attempts);
+    numbers_of_edges.push_back(splits->edges.size());
+  }
+  CHECK(numbers_of_attempts[0] < numbers_of_attempts[1]);
+  CHECK(numbers_of_attempts[1] <= numbers_of_attempts[0] + 3);
+  CHECK(numbers_of_attempts[1] < numbers_of_attempts[2]);
+  CHECK(numbers_of_edges[0] >= numbers_of_edges[1]);
+  CHECK(numbers_of_edges[0] > numbers_of_edges[2]);
+}
+
 TEST_CASE("An edge between prescribed vertices is split where it leaves the target, although no free vertex is at it")
 {
   // An octahedron around its axis, the edge of vertices 1 and 2; its lower half is filled from the vertex 0. Its lowest

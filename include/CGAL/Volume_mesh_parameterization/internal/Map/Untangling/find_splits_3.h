@@ -165,11 +165,13 @@ void leave_out_unneeded(std::size_t number_of_items, const Leave_out& leave_out)
 
 // Edges of a patch whose splits leave as few cells inverted as possible: splits all edges around inverted cells, and if that
 // helps, keeps only those that are needed for it. Splits help if they leave no cell inverted, which they must, or at least
-// fewer than now. New vertices are left out first where all others can stay, and then where untangling from there suffices.
-// Calls `after_attempt()` each time, and goes on with no more than it has as soon as that returns false.
+// fewer than now. New vertices are left out first where all others can stay, and then where untangling from there suffices, as
+// long as these attempts have no more cells in all than given: in large patches they would take longer than they save. Calls
+// `after_attempt()` each time, and goes on with no more than it has as soon as that returns false.
 template <typename After_attempt>
 std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solver_3& solver, const bool must_untangle,
-                                         const Budget& budget, const After_attempt& after_attempt)
+                                         std::size_t cells_left, const Budget& budget,
+                                         const After_attempt& after_attempt)
 {
   const int n = patch.mesh.number_of_free_vertices;
   bool may_continue = true;
@@ -214,9 +216,14 @@ std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solv
     Patch_mesh_3 split = split_patch(other_edges);
     const Eigen::Index column = n + first;
     split.positions << image.leftCols(column), image.rightCols(image.cols() - column - number);
-    if(inverted_cells(split.mesh, split.positions).number > fewest
-       && !(may_move && may_continue && inverted_cells_after(*best, split) <= fewest))
-      return false;
+    if(inverted_cells(split.mesh, split.positions).number > fewest)
+    {
+      if(!may_move || !may_continue || split.mesh.cells.size() > cells_left)
+        return false;
+      cells_left -= split.mesh.cells.size();
+      if(inverted_cells_after(*best, split) > fewest)
+        return false;
+    }
     edges = std::move(other_edges);
     image = std::move(split.positions);
     return true;
@@ -235,6 +242,7 @@ std::optional<Splits_3> splits_of_patch_3(const Patch_mesh_3& patch, Linear_solv
 inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solver, const Map_3& map, Progress_3& progress)
 {
   constexpr int maximum_number_of_rings = 3; // a guess: with 2, single cells stay inverted now and then that 3 have room for
+  constexpr std::size_t maximum_number_of_cells = 100000; // a guess: a few seconds; patches of 300 cells need a tenth of it
   Parameterization_step step;
   step.phase = Phase::UNTANGLING;
   step.kind = Step_kind::SPLIT;
@@ -262,7 +270,8 @@ inline Splits_3 find_splits_3(const Numbered_mesh_3& mesh, Linear_solver_3& solv
         continue;
       const Patch_mesh_3 patch(mesh, map.positions,
                                with_cells_around_prescribed_edges(mesh, map, std::move(patches.back())));
-      const auto splits = splits_of_patch_3(patch, solver, must_untangle, progress.budget(), after_attempt);
+      const auto splits
+        = splits_of_patch_3(patch, solver, must_untangle, maximum_number_of_cells, progress.budget(), after_attempt);
       if(!splits)
         continue;
       for(const auto& [a, b] : splits->edges)
