@@ -340,6 +340,23 @@ TEST_CASE("The message and the result name a feature without room in the hexahed
   CHECK(result.message.find(" curves and ") != std::string::npos);
 }
 
+// A line across the top, next to the diagonal, ends at a distance of 1 from two corners.
+TEST_CASE("Both ends of a short arc are one corner of a complex if that is asked for")
+{
+  const Body body(8, 0, [](const Vector3d& p) { return p; });
+  const Complex_with_diagonal apart(body, 8, { 1, 0, 8 }, 0), joined(body, 8, { 1, 0, 8 }, 1.1);
+  CHECK(apart.complex.arcs().size() == 15);
+  CHECK(apart.number_of_arcs_at({ 0, 0, 8 }) == 3);
+  CHECK(apart.number_of_arcs_at({ 1, 0, 8 }) == 3);
+  CHECK(joined.complex.arcs().size() == 13);
+  CHECK(joined.number_of_arcs_at({ 0, 0, 8 }) + joined.number_of_arcs_at({ 1, 0, 8 }) == 4);
+  CHECK(joined.number_of_arcs_at({ 8, 7, 8 }) + joined.number_of_arcs_at({ 8, 8, 8 }) == 4);
+  std::size_t number_of_ends = 0;
+  for(const PM::internal::Corner_3& corner : joined.complex.corners())
+    number_of_ends += corner.ends.size();
+  CHECK(number_of_ends == 26);
+}
+
 // Between the diagonal and long edges of the top, there are 5.7 degrees.
 TEST_CASE("Sides of a needle share their first part in a complex if that is asked for")
 {

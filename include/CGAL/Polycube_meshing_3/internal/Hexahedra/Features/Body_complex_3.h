@@ -49,11 +49,12 @@ struct Corner_3
 
 // Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
 // as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. Arcs
-// that leave a corner as sides of a needle share their first part, as long as they are within a distance of each other.
+// that leave a corner as sides of a needle share their first part, as long as they are within a distance of each other. Corners
+// of an arc that is shorter than this distance are one corner.
 class Body_complex_3
 {
 public:
-  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_of_needles = 0)
+  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
     const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
@@ -61,8 +62,11 @@ public:
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
     collect_ends();
-    if(width_of_needles > 0 && is_manifold())
-      share_needles(width_of_needles);
+    if(width_without_room > 0 && is_manifold())
+    {
+      contract_short_arcs(width_without_room);
+      share_needles(width_without_room);
+    }
     find_surfaces();
   }
 
@@ -212,6 +216,46 @@ private:
     for(const std::size_t v : vertices)
       points.push_back(m_points[v]);
     return Polyline_3(points);
+  }
+
+  // Makes one corner of both ends of each arc that is shorter than a distance, unless other arcs join them, too.
+  void contract_short_arcs(const double length)
+  {
+    for(std::size_t a = 0; a < m_arcs.size(); )
+    {
+      const auto [c, d] = m_corners_of_arcs[a];
+      const auto number_of_arcs = std::count_if(m_corners[c].ends.begin(), m_corners[c].ends.end(), [&, d = d](const auto& end)
+                                                { return corner({ end.arc, 1 - end.side }) == d; });
+      if(c != d && number_of_arcs == 1 && m_lines[a].length() < length)
+        contract(a);
+      else
+        ++a;
+    }
+  }
+
+  // Lets the arcs at the second corner of an arc end at the first one, in its place.
+  void contract(const std::size_t a)
+  {
+    const auto [c, d] = m_corners_of_arcs[a];
+    const auto is_of_arc = [&](const End_of_arc_3& end) { return end.arc == a; };
+    std::vector<End_of_arc_3>& at_c = m_corners[c].ends;
+    std::vector<End_of_arc_3> at_d = std::exchange(m_corners[d].ends, {});
+    std::rotate(at_d.begin(), std::find_if(at_d.begin(), at_d.end(), is_of_arc), at_d.end());
+    at_d.erase(at_d.begin());
+    for(const End_of_arc_3& end : at_d)
+    {
+      std::vector<std::size_t>& vertices = m_arcs[end.arc].vertices;
+      (end.side == 0 ? vertices.front() : vertices.back()) = m_corners[c].vertex;
+      m_lines[end.arc] = line_through(vertices);
+      m_corners_of_arcs[end.arc][end.side] = c;
+    }
+    at_c.insert(at_c.erase(std::find_if(at_c.begin(), at_c.end(), is_of_arc)), at_d.begin(), at_d.end());
+    for(Corner_3& corner : m_corners)
+      for(End_of_arc_3& end : corner.ends)
+        end.arc -= end.arc > a;
+    m_arcs.erase(m_arcs.begin() + a);
+    m_lines.erase(m_lines.begin() + a);
+    m_corners_of_arcs.erase(m_corners_of_arcs.begin() + a);
   }
 
   void share_needles(const double width)

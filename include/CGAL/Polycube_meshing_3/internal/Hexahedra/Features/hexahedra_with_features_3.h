@@ -235,8 +235,8 @@ inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& pro
   const Hexahedral_mesh_features& before = best.result.features;
   if(!may_change || number_of_kept(before) == number_of_features(before))
     return best;
-  constexpr double width_of_needles = 0.09; // a guess; in edges
-  const Body_complex_3 with_room(body.soup, body.points, width_of_needles * best.edge);
+  constexpr double width_without_room = 0.09; // a guess; in edges
+  const Body_complex_3 with_room(body.soup, body.points, width_without_room * best.edge);
   Best_hexahedra_3 next
     = fitted_to_features_3(with_room, body.surface, best.mesh, best.edge, problem.solver, body.is_parallel, budget);
   if(!is_at_least(next.result, (std::min)(bad_scaled_jacobian, best.result.minimum_scaled_jacobian)))
