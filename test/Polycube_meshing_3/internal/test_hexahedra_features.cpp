@@ -338,14 +338,14 @@ TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside ot
   };
   const Hexahedra_3 mesh = hexahedra_of(soup);
   PM::internal::Feature_embedding_3 coarse(complex, mesh, 2);
-  coarse.run({});
+  coarse.run(VMP::internal::Budget());
   REQUIRE(number_given_up(coarse) > 0);
   const PM::internal::Sheets_3 sheets(mesh);
   const std::set<std::size_t> cut = PM::internal::sheets_for_features_3(complex, coarse, mesh, sheets, 2, mesh.cells.size());
   REQUIRE(!cut.empty());
   const Hexahedra_3 finer = sheets.cut(cut);
   PM::internal::Feature_embedding_3 fine(complex, finer, 2);
-  CHECK(fine.run({}));
+  CHECK(fine.run(VMP::internal::Budget()));
   CHECK(number_given_up(fine) < number_given_up(coarse));
 }
 
