@@ -4,7 +4,8 @@
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Body_complex_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/hexahedra_with_features_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Sheets_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <algorithm>
@@ -309,44 +310,6 @@ TEST_CASE("Curves without room are given up as soon as rounds lead to no fewer c
   PM::internal::Feature_embedding_3(complex, mesh, 2).run(budget);
   CHECK(number_of_rounds > 45); // not all curves at once
   CHECK(number_of_rounds < 500);
-}
-
-// On the top, there are three squares one around the other, with a distance of 1; hexahedra have edges of 2.
-TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside others")
-{
-  Body body(12, 0, [](const Vector3d& p) { return p; });
-  Hexahedron_soup_3 soup;
-  REQUIRE(body.mesh(2, soup).status == VMP::OK);
-  std::map<std::array<double, 3>, std::size_t> vertex_at;
-  for(std::size_t v = 0; v < body.images.size(); ++v)
-    vertex_at[body.images[v]] = v;
-  for(const double half : { 1., 2., 3. })
-    for(double x = -half; x < half; ++x)
-      for(const double y : { -half, half })
-      {
-        body.soup.edges.push_back({ vertex_at.at({ 6 + x, 6 + y, 12 }), vertex_at.at({ 7 + x, 6 + y, 12 }) });
-        body.soup.edges.push_back({ vertex_at.at({ 6 + y, 6 + x, 12 }), vertex_at.at({ 6 + y, 7 + x, 12 }) });
-      }
-  const PM::internal::Mapped_soup_3 mapped(body.soup, body.images);
-  const PM::internal::Body_complex_3 complex(mapped, VMP::internal::vectors_of(body.soup.points));
-  const auto number_given_up = [&](const PM::internal::Feature_embedding_3& embedding)
-  {
-    std::size_t result = 0;
-    for(std::size_t a = 0; a < complex.arcs().size(); ++a)
-      result += embedding.is_dropped(a);
-    return result;
-  };
-  const Hexahedra_3 mesh = hexahedra_of(soup);
-  PM::internal::Feature_embedding_3 coarse(complex, mesh, 2);
-  coarse.run(VMP::internal::Budget());
-  REQUIRE(number_given_up(coarse) > 0);
-  const PM::internal::Sheets_3 sheets(mesh);
-  const std::set<std::size_t> cut = PM::internal::sheets_for_features_3(complex, coarse, mesh, sheets, 2, mesh.cells.size());
-  REQUIRE(!cut.empty());
-  const Hexahedra_3 finer = sheets.cut(cut);
-  PM::internal::Feature_embedding_3 fine(complex, finer, 2);
-  CHECK(fine.run(VMP::internal::Budget()));
-  CHECK(number_given_up(fine) < number_given_up(coarse));
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

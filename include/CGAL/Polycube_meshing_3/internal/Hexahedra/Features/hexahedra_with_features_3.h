@@ -158,24 +158,13 @@ inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const 
   return result;
 }
 
-// Returns the sheets across edges of arcs that had no room beside others, and those across paths that have fewer edges than their
-// curves have bends, there first the ones across the longest edges, as long as the hexahedra that they add are few.
-inline std::set<std::size_t> sheets_for_features_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
-                                                   const Hexahedra_3& mesh, const Sheets_3& sheets, const double edge,
-                                                   std::size_t most)
+// Returns the sheets across paths that have fewer edges than their curves have bends, those across the longest edges first, as
+// long as the hexahedra that they add are few.
+inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
+                                                const Hexahedra_3& mesh, const Sheets_3& sheets, const double edge,
+                                                std::size_t most)
 {
   std::set<std::size_t> result;
-  const Boundary_graph_3& graph = embedding.graph();
-  const auto sheet = [&](const std::size_t e) { return sheets.sheet({ graph.source(e), graph.target(e) }); };
-  const auto take = [&](const std::size_t number)
-  {
-    if(sheets.size(number) > most || !result.insert(number).second)
-      return false;
-    most -= sheets.size(number);
-    return true;
-  };
-  for(const std::size_t e : embedding.contested())
-    take(sheet(e));
   for(std::size_t a = 0; a < complex.arcs().size(); ++a)
   {
     const std::vector<std::size_t>& path = embedding.path(a);
@@ -185,13 +174,20 @@ inline std::set<std::size_t> sheets_for_features_3(const Body_complex_3& complex
     std::vector<std::pair<double, std::size_t> > candidates;
     std::size_t number = path.size();
     for(const std::size_t e : path)
-      if(result.count(sheet(e)) > 0)
+    {
+      const std::size_t v = embedding.graph().source(e), w = embedding.graph().target(e), sheet = sheets.sheet({ v, w });
+      if(result.count(sheet) > 0)
         ++number;
       else
-        candidates.emplace_back(-(mesh.points[graph.source(e)] - mesh.points[graph.target(e)]).norm(), sheet(e));
+        candidates.emplace_back(-(mesh.points[v] - mesh.points[w]).norm(), sheet);
+    }
     std::sort(candidates.begin(), candidates.end());
     for(auto candidate = candidates.begin(); candidate != candidates.end() && number < needed; ++candidate)
-      number += take(candidate->second);
+      if(sheets.size(candidate->second) <= most && result.insert(candidate->second).second)
+      {
+        most -= sheets.size(candidate->second);
+        ++number;
+      }
   }
   return result;
 }
@@ -214,7 +210,7 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
     if(!embedding->run(budget))
       return result;
     const Sheets_3 sheets(mesh);
-    const std::set<std::size_t> cut = sheets_for_features_3(complex, *embedding, mesh, sheets, edge, most);
+    const std::set<std::size_t> cut = sheets_for_bends_3(complex, *embedding, mesh, sheets, edge, most);
     if(cut.empty())
       break;
     Hexahedra_3 next = sheets.cut(cut);
