@@ -140,7 +140,7 @@ private:
     std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // cost, vertex, corner
     for(std::size_t c = 0; c < m_complex.corners().size(); ++c)
     {
-      if(m_complex.corners()[c].ends.empty())
+      if(m_complex.corners()[c].ends.empty()) // another corner stands for it
         continue;
       const Vector_3& p = m_complex.points()[m_complex.corners()[c].vertex];
       const auto is_nearer = [&](const std::size_t v, const std::size_t w)
