@@ -441,6 +441,25 @@ def draw_refinement(folder, output):
     draw_row(bodies, output)
 
 
+def draw_channel(folder, output):
+    """A section of a body with a channel, the image of its walls (red) in the ball, and shells of the ball in the section."""
+    body = render.read(str(folder / "channel_to_ball.vtu"))
+    bounds = numpy.reshape(body.GetBounds(), (3, 2)) + [1e-6, -1e-6]
+    colors = [STEEL] * 9 + [RED]
+
+    def walls(grid):
+        points, images = (vtk_to_numpy(data) for data in (grid.GetPoints().GetData(), grid.GetPointData().GetArray("uvw")))
+        is_inside = ((points > bounds[:, 0]) & (points < bounds[:, 1])).all(axis=1)
+        return (is_inside & (numpy.linalg.norm(images, axis=1) > 1 - 1e-9)).astype(float)
+
+    normal, up = (0, -1, 0), (0, 0, 1)
+    half, image = render.cut(body, normal), render.image_of(body)
+    towards = vtk_to_numpy(image.GetPoints().GetData())[walls(body) > 0].mean(axis=0)
+    draw_row([([surface_by_values(half, walls(half), colors, 0, 1)], normal, up, "section of a body with a channel"),
+              ([surface_by_values(image, walls(body), colors, 0, 1)], towards, up, "its image, the ball"),
+              ([shells(render.cut(body, normal))], normal, up, "concentric shells of the ball, in the section")], output)
+
+
 def inverted_cells(grid):
     """The cells with a negative volume, red."""
     points = vtk_to_numpy(grid.GetPoints().GetData())
@@ -686,6 +705,7 @@ def main(folder, output_folder):
     draw_conditions(folder, output_folder / "free_boundary.png")
     draw_lines(folder, output_folder / "lines_of_conditions.png")
     draw_refinement(folder, output_folder / "refinement.png")
+    draw_channel(folder, output_folder / "channel.png")
     draw_improvement(folder, output_folder / "improvement.png")
     draw_landmarks(folder, output_folder / "landmarks.png")
     draw_boundaries(folder, output_folder / "boundaries.png")
