@@ -4,8 +4,7 @@
 #include <CGAL/Polycube_meshing_3/IO/write_hexahedron_soup.h>
 #include <CGAL/Polycube_meshing_3/Polycube_boundary_parameterizer_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Body_complex_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Sheets_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/hexahedra_with_features_3.h>
 #include <CGAL/stretch_minimizing_volume_parameterization.h>
 
 #include <algorithm>
@@ -310,6 +309,39 @@ TEST_CASE("Curves without room are given up as soon as rounds lead to no fewer c
   PM::internal::Feature_embedding_3(complex, mesh, 2).run(budget);
   CHECK(number_of_rounds > 45); // not all curves at once
   CHECK(number_of_rounds < 500);
+}
+
+// On the top, there are two or three squares one around the other, with a distance of 1; hexahedra have edges of 2.
+TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside others, if fewer curves are given up then")
+{
+  constexpr double spacing = 2;
+  for(const double number_of_squares : { 2., 3. })
+  {
+    Body body(12, 0, [](const Vector3d& p) { return p; });
+    Hexahedron_soup_3 soup;
+    REQUIRE(body.mesh(spacing, soup).status == VMP::OK);
+    std::map<std::array<double, 3>, std::size_t> vertex_at;
+    for(std::size_t v = 0; v < body.images.size(); ++v)
+      vertex_at[body.images[v]] = v;
+    for(double half = 1; half <= number_of_squares; ++half)
+      for(double x = -half; x < half; ++x)
+        for(const double y : { -half, half })
+        {
+          body.soup.edges.push_back({ vertex_at.at({ 6 + x, 6 + y, 12 }), vertex_at.at({ 7 + x, 6 + y, 12 }) });
+          body.soup.edges.push_back({ vertex_at.at({ 6 + y, 6 + x, 12 }), vertex_at.at({ 6 + y, 7 + x, 12 }) });
+        }
+    const PM::internal::Mapped_soup_3 mapped(body.soup, body.images);
+    const PM::internal::Body_complex_3 complex(mapped, VMP::internal::vectors_of(body.soup.points));
+    const VMP::internal::Budget budget;
+    const Hexahedra_3 start = hexahedra_of(soup), mesh = PM::internal::with_room_for_corners_3(complex, start, spacing);
+    PM::internal::Feature_embedding_3 coarse(complex, mesh, spacing);
+    REQUIRE(coarse.run(budget));
+    REQUIRE(coarse.number_given_up() > 0);
+    const auto features = PM::internal::embedded_features_3(complex, start, spacing, budget);
+    REQUIRE(features);
+    CHECK((features->embedding.number_given_up() == 0) == (number_of_squares == 2));
+    CHECK((features->mesh.cells.size() > mesh.cells.size()) == (number_of_squares == 2));
+  }
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

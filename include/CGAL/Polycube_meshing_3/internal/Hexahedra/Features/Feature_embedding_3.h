@@ -65,8 +65,9 @@ public:
   }
 
   const Boundary_graph_3& graph() const { return m_graph; }
-  bool is_dropped(const std::size_t arc) const { return m_is_dropped[arc]; }
+  std::ptrdiff_t number_given_up() const { return std::count(m_is_dropped.begin(), m_is_dropped.end(), true); }
   const std::vector<std::size_t>& path(const std::size_t arc) const { return m_paths[arc]; } // edges
+  const std::set<std::size_t>& contested() const { return m_contested; } // edges of arcs given up, at vertices of other arcs
   std::size_t vertex(const std::size_t corner) const { return m_vertices[corner]; }
   std::size_t region(const std::size_t quadrangle) const { return m_regions[quadrangle]; }
   const std::vector<std::set<std::size_t> >& patches() const { return m_patches; } // of each region
@@ -304,6 +305,9 @@ private:
     for(std::size_t a = 0; a < m_paths.size(); ++a)
       if(m_complex.arcs()[a].curve == curve && !m_is_dropped[a])
       {
+        for(const std::size_t e : m_paths[a])
+          if((std::max)(m_occupied[m_graph.source(e)], m_occupied[m_graph.target(e)]) > 1)
+            m_contested.insert(e);
         if(!m_paths[a].empty())
           occupy(a, -1);
         m_paths[a].clear();
@@ -458,6 +462,7 @@ private:
   std::vector<std::size_t> m_corner_at, m_vertices; // corner of each vertex, vertex of each corner
   std::vector<double> m_history, m_history_of_edges, m_penalties; // of vertices, edges, corners
   std::vector<int> m_occupied, m_occupied_edges; // numbers of paths
+  std::set<std::size_t> m_contested; // edges
   std::vector<std::size_t> m_regions; // of each quadrangle
   std::vector<std::set<std::size_t> > m_patches; // of each region
 };

@@ -45,6 +45,15 @@ public:
   std::size_t sheet(const std::array<std::size_t, 2>& e) const { return m_sheets.at(sorted(e)); }
   std::size_t size(const std::size_t sheet) const { return m_sizes.at(sheet); } // number of hexahedra that a cut adds
 
+  // Adds a sheet to others, unless it is among them or its hexahedra are too many. Returns whether it does.
+  bool take(const std::size_t sheet, std::set<std::size_t>& sheets, std::size_t& most) const
+  {
+    if(size(sheet) > most || !sheets.insert(sheet).second)
+      return false;
+    most -= size(sheet);
+    return true;
+  }
+
   // Returns the hexahedra with sheets cut in two.
   Hexahedra_3 cut(const std::set<std::size_t>& sheets) const
   {

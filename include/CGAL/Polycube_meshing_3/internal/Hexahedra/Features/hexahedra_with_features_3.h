@@ -18,7 +18,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
-#include <optional>
+#include <memory>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
@@ -158,66 +158,100 @@ inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const 
   return result;
 }
 
+// Hexahedra with vertices and paths for the features of a body.
+struct Embedded_features_3
+{
+  Hexahedra_3 mesh;
+  Feature_embedding_3 embedding; // refers to the mesh
+
+  Embedded_features_3(const Body_complex_3& complex, Hexahedra_3 hexahedra, const double edge)
+    : mesh(std::move(hexahedra)), embedding(complex, mesh, edge)
+  {}
+
+  Embedded_features_3(const Embedded_features_3&) = delete;
+
+  std::size_t sheet(const Sheets_3& sheets, const std::size_t e) const
+  { return sheets.sheet({ embedding.graph().source(e), embedding.graph().target(e) }); }
+};
+
 // Returns the sheets across paths that have fewer edges than their curves have bends, those across the longest edges first, as
 // long as the hexahedra that they add are few.
-inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
-                                                const Hexahedra_3& mesh, const Sheets_3& sheets, const double edge,
-                                                std::size_t most)
+inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, const Embedded_features_3& features,
+                                                const Sheets_3& sheets, const double edge, std::size_t most)
 {
   std::set<std::size_t> result;
+  const Boundary_graph_3& graph = features.embedding.graph();
+  const std::vector<Vector_3>& points = features.mesh.points;
   for(std::size_t a = 0; a < complex.arcs().size(); ++a)
   {
-    const std::vector<std::size_t>& path = embedding.path(a);
+    const std::vector<std::size_t>& path = features.embedding.path(a);
     const std::size_t needed = 1 + complex.line(a).bends(distance_of_bends * edge).size();
     if(path.size() >= needed || path.empty())
       continue;
     std::vector<std::pair<double, std::size_t> > candidates;
     std::size_t number = path.size();
     for(const std::size_t e : path)
-    {
-      const std::size_t v = embedding.graph().source(e), w = embedding.graph().target(e), sheet = sheets.sheet({ v, w });
-      if(result.count(sheet) > 0)
+      if(const std::size_t sheet = features.sheet(sheets, e); result.count(sheet) > 0)
         ++number;
       else
-        candidates.emplace_back(-(mesh.points[v] - mesh.points[w]).norm(), sheet);
-    }
+        candidates.emplace_back(-(points[graph.source(e)] - points[graph.target(e)]).norm(), sheet);
     std::sort(candidates.begin(), candidates.end());
     for(auto candidate = candidates.begin(); candidate != candidates.end() && number < needed; ++candidate)
-      if(sheets.size(candidate->second) <= most && result.insert(candidate->second).second)
-      {
-        most -= sheets.size(candidate->second);
-        ++number;
-      }
+      number += sheets.take(candidate->second, result, most);
   }
   return result;
 }
 
-// Returns hexahedra with features of the body, made of others by a layer along the boundary, sheets across curves that have too
-// few edges, other sheets where a quadrangle would be flat, and new positions. Returns none if there are no paths. Vertices leave
-// their curves only if hexahedra would be bad otherwise.
+// Returns the sheets across edges of curves that were given up because others left no room, as long as they add few hexahedra.
+inline std::set<std::size_t> sheets_for_room_3(const Embedded_features_3& features, const Sheets_3& sheets, std::size_t most)
+{
+  std::set<std::size_t> result;
+  for(const std::size_t e : features.embedding.contested())
+    sheets.take(features.sheet(sheets, e), result, most);
+  return result;
+}
+
+// Returns hexahedra with paths for features, made of others by a layer along the boundary and sheets across curves that have too
+// few edges. Other sheets are cut where curves have no room, as long as fewer curves are given up then. Returns none if there are
+// no paths.
+inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_complex_3& complex, const Hexahedra_3& start,
+                                                                const double edge, const Budget& budget)
+{
+  constexpr double largest_growth = 0.5; // a guess; part of the hexahedra that sheets across curves may add
+  std::unique_ptr<Embedded_features_3> result;
+  Hexahedra_3 mesh = with_room_for_corners_3(complex, start, edge);
+  std::size_t most = static_cast<std::size_t>(largest_growth * static_cast<double>(mesh.cells.size()));
+  for(bool is_for_room = false; ; )
+  {
+    auto next = std::make_unique<Embedded_features_3>(complex, std::move(mesh), edge);
+    if(!next->embedding.run(budget)
+       || (is_for_room && next->embedding.number_given_up() >= result->embedding.number_given_up()))
+      return result;
+    if(result) // sheets that cross add more than both alone
+      most -= (std::min)(most, next->mesh.cells.size() - result->mesh.cells.size());
+    result = std::move(next);
+    const Sheets_3 sheets(result->mesh);
+    std::set<std::size_t> cut = sheets_for_bends_3(complex, *result, sheets, edge, most);
+    is_for_room = cut.empty();
+    if(is_for_room)
+      cut = sheets_for_room_3(*result, sheets, most);
+    if(cut.empty())
+      return result;
+    mesh = sheets.cut(cut);
+  }
+}
+
+// Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions. Returns none
+// if there are no paths. Vertices leave their curves only if hexahedra would be bad otherwise.
 inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                              const Hexahedra_3& start, const double edge, Linear_solver_3& solver,
                                              const bool is_parallel, const Budget& budget)
 {
-  constexpr double largest_growth = 0.5; // a guess; part of the hexahedra that sheets across curves may add
   Best_hexahedra_3 result = { edge, {}, {}, Staircases::NONE };
-  Hexahedra_3 mesh = with_room_for_corners_3(complex, start, edge);
-  std::size_t most = static_cast<std::size_t>(largest_growth * static_cast<double>(mesh.cells.size()));
-  std::optional<Feature_embedding_3> embedding;
-  for(;;)
-  {
-    embedding.emplace(complex, mesh, edge);
-    if(!embedding->run(budget))
-      return result;
-    const Sheets_3 sheets(mesh);
-    const std::set<std::size_t> cut = sheets_for_bends_3(complex, *embedding, mesh, sheets, edge, most);
-    if(cut.empty())
-      break;
-    Hexahedra_3 next = sheets.cut(cut);
-    most -= (std::min)(most, next.cells.size() - mesh.cells.size()); // sheets that cross add more than both alone
-    mesh = std::move(next);
-  }
-  const Placed_features_3 placed(complex, *embedding, mesh, edge, boundary);
+  const auto features = embedded_features_3(complex, start, edge, budget);
+  if(!features)
+    return result;
+  const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, boundary);
   Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
   for(const bool may_leave_lines : { false, true })
     if(!is_at_least(result.result, bad_scaled_jacobian))
