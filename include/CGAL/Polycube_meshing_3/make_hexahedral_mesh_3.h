@@ -130,9 +130,9 @@ vertices by prices that grow. If this does not end, curves are given up one by o
 boundary, and sheets are inserted around patches in which a quadrangle would have two edges on a smooth curve. If a curve has more
 bends than its path has edges, sheets of hexahedra across the path are cut in two. So are sheets where curves were given up because
 others left no room, if fewer curves are given up then. These add at most half of the hexahedra. Vertices stay at bends. All
-others move along curves and in patches. If hexahedra would be inverted or nearly flat, vertices leave curves. The mesh is taken if
-it is valid, its minimal scaled Jacobian is not bad, and it keeps more features. Otherwise, the mesh remains as it was.
-`Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The mesh
+others move along curves and in patches. If a scaled Jacobian would be below 0.01, vertices of such corners leave curves. The mesh
+is taken if it is valid, its minimal scaled Jacobian is not below this bound, and it keeps more features. Otherwise, the mesh
+remains as it was. `Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The mesh
 has the edges along curves and the corners that are kept.
 
 <b>Validity</b>. The 27 Bernstein coefficients of the determinant bound its sign. If they leave the sign open, the hexahedron is

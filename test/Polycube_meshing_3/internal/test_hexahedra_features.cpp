@@ -248,6 +248,23 @@ TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those 
   CHECK_THROWS_AS(PM::IO::write_MEDIT(medit, mesh), VMP::Input_error);
 }
 
+// A side of a plate leans over by 86 degrees, and the top has a ridge along the diagonal.
+TEST_CASE("Hexahedra keep features of a body with sharp edges, although these make them nearly flat")
+{
+  const Body body(6, 0, [](const Vector3d& p) -> Vector3d
+                  {
+                    const double z = p[2] / 24 * (1 - 0.04 * std::abs(p[0] - p[1]));
+                    return { p[0] + (6 - p[0]) / 6 * 14 * z, p[1], z };
+                  });
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = body.mesh(2, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  CHECK(result.status == VMP::OK);
+  CHECK(result.features.number_of_corners_kept == 6);
+  CHECK(result.features.number_of_curves_kept == 9);
+  CHECK(result.features.number_of_patches_kept == 5);
+}
+
 TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
 {
   Hexahedron_soup_3 soup;

@@ -19,6 +19,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
 #include <memory>
+#include <optional>
 
 namespace CGAL::Polycube_meshing_3::internal {
 
@@ -242,7 +243,7 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
 }
 
 // Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions. Returns none
-// if there are no paths. Vertices leave their curves only if hexahedra would be bad otherwise.
+// if there are no paths. Vertices leave their curves only if hexahedra would not be usable otherwise.
 inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                              const Hexahedra_3& start, const double edge, Linear_solver_3& solver,
                                              const bool is_parallel, const Budget& budget)
@@ -253,14 +254,13 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
     return result;
   const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, boundary);
   Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
-  for(const bool may_leave_lines : { false, true })
-    if(!is_at_least(result.result, bad_scaled_jacobian))
-      Hexahedra_improvement_3(hexahedra, true, budget, result, may_leave_lines).run(false);
+  for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
+    if(!is_at_least(result.result, usable_scaled_jacobian))
+      Hexahedra_improvement_3(hexahedra, true, budget, result, bound_of_lines).run(false);
   return result;
 }
 
-// Returns hexahedra with the features of the body. Returns the ones as they are unless more features are kept by valid ones that
-// are not bad.
+// Returns hexahedra with the features of the body. Returns the ones as they are unless usable ones keep more features.
 inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                   Best_hexahedra_3 best, const bool may_change, const Budget& budget)
 {
@@ -273,7 +273,7 @@ inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& pro
   const Body_complex_3 with_room(body.soup, body.points, width_without_room * best.edge);
   Best_hexahedra_3 next
     = fitted_to_features_3(with_room, body.surface, best.mesh, best.edge, problem.solver, body.is_parallel, budget);
-  if(!is_at_least(next.result, (std::min)(bad_scaled_jacobian, best.result.minimum_scaled_jacobian)))
+  if(!is_at_least(next.result, (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian)))
     return best;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
   next.mesh.images.resize(next.mesh.points.size());

@@ -21,9 +21,10 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
-// tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
+// tried, corners below the third one are almost flat, which steps avoid, no gain makes up for one below the fourth, and solvers of
+// finite elements take no less than the last.
 constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
-                 bad_scaled_jacobian = 0.05;
+                 bad_scaled_jacobian = 0.05, usable_scaled_jacobian = 0.01;
 constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
 
 // Returns the result for a mesh.

@@ -15,15 +15,18 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Sliding_hexahedra_3.h>
 
+#include <optional>
+
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Improves hexahedra, and gives the best ones that it meets to others.
+// Improves hexahedra, and gives the best ones that it meets to others. Vertices of corners that stay inverted or below a bound
+// leave their lines; without a bound, none does.
 class Hexahedra_improvement_3
 {
 public:
   Hexahedra_improvement_3(Sliding_hexahedra_3& hexahedra, const bool has_padding, const Budget& budget, Best_hexahedra_3& best,
-                          const bool may_leave_lines = true)
-    : m_hexahedra(hexahedra), m_has_padding(has_padding), m_may_leave_lines(may_leave_lines), m_budget(budget), m_best(best)
+                          const std::optional<double> bound_of_lines = flat_scaled_jacobian)
+    : m_hexahedra(hexahedra), m_has_padding(has_padding), m_bound_of_lines(bound_of_lines), m_budget(budget), m_best(best)
   {}
 
   // If vertices may leave the surface, they do so before all else, and if corners stay inverted there, all else is in vain.
@@ -84,7 +87,7 @@ private:
     for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < (has_few_inverted_corners() ? patience : patience - 1)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
     {
-      if(in_vain == patience - 1 && m_may_leave_lines && m_hexahedra.leave_lines(0))
+      if(in_vain == patience - 1 && m_bound_of_lines && m_hexahedra.leave_lines(0))
         in_vain = 0;
       const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
@@ -107,7 +110,7 @@ private:
   // Improves the worst corners and the hexahedra that are inverted inside, one vertex after the other and all at once in turn,
   // until a few rounds gain nothing. While corners are inverted, a gain is a smaller number of inverted corners or hexahedra than
   // ever before. If a round gains nothing and corners are positive but poor, points that the boundary does not cover count less,
-  // and the vertices of flat corners leave their lines.
+  // and the vertices of corners below the bound leave their lines.
   void improve_worst_corners()
   {
     constexpr double least_gain = 0.005; // a guess; in a round
@@ -133,8 +136,8 @@ private:
       in_vain = is_gain ? 0 : in_vain + 1;
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian < poor_scaled_jacobian)
       {
-        if(m_may_leave_lines)
-          m_hexahedra.leave_lines(flat_scaled_jacobian);
+        if(m_bound_of_lines)
+          m_hexahedra.leave_lines(*m_bound_of_lines);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
       }
     }
@@ -161,7 +164,8 @@ private:
   }
 
   Sliding_hexahedra_3& m_hexahedra;
-  const bool m_has_padding, m_may_leave_lines;
+  const bool m_has_padding;
+  const std::optional<double> m_bound_of_lines;
   const Budget& m_budget;
   Best_hexahedra_3& m_best;
   Hexahedral_mesh_result m_result; // of the hexahedra as they are
