@@ -231,6 +231,10 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
     return sum;
   };
   CHECK(volume(cavity) == Approx(26));
+  CHECK(folder.text("stderr").find(" If it is a void, --fill-voids fills it.\n") != std::string::npos);
+  CHECK(folder.run("cavity.off --cells 1 --to ball --fill-voids --tetrahedra cavity.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: cavity.off: 1 void is filled\n") != std::string::npos);
+  CHECK(volume(folder.soup("cavity.mesh")) == Approx(27));
   CHECK(sentence({ { 0, 1 } }, 1).find("cubes.off: the surface is not closed, because the edge between the points (") == 0);
   CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find("cubes.off: the surface crosses itself near (") == 0);
   CHECK(sentence({ { 0, 2 }, { 1, 2 } }).find(". Unite the solids that cross there in a CAD program") != std::string::npos);
@@ -238,6 +242,9 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(sentence({ { 0, 9 }, { 3, 3 }, { 4, 1 }, { 10, 2 } }).find("note: cubes.off: the surface encloses 3 bodies") == 0);
   CHECK(folder.run("cubes.off --cells 1 --to polycube --refine=none --tetrahedra cubes.mesh") == 0);
   CHECK(volume(folder.soup("cubes.mesh")) == Approx(729 - 27 + 1 + 8));
+  CHECK(folder.run("cubes.off --cells 1 --to polycube --refine=none --fill-voids --tetrahedra cubes.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: cubes.off: 1 void is filled\n") != std::string::npos);
+  CHECK(volume(folder.soup("cubes.mesh")) == Approx(729 + 8));
   // points with the same place, and of a surface to which a body is fitted
   const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 0\nv 1 0 0\nv 1 0 1\n"
                               "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 0 1 0\nv 0 0 0\n"
@@ -276,6 +283,35 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(folder.text("stderr").find("cylinders and spheres have a smaller diameter than the cells.") != std::string::npos);
   CHECK(folder.run("bore.geo --cells 0.5 --to ball") == 2);
   CHECK(folder.text("stderr").find("The smallest one is around (0.40") != std::string::npos);
+  CHECK(folder.text("stderr").find("If it is a void, fill it in a CAD program.\n") != std::string::npos);
+  CHECK(folder.run("bore.geo --cells 0.5 --to ball --fill-voids") == 2);
+  CHECK(folder.text("stderr").find("--fill-voids needs a source of a CAD program or a closed surface.") == 0);
+  folder.write("hollow.geo", head + "Box(1) = {0, 0, 0, 1, 1, 1};\nSphere(2) = {0.3, 0.5, 0.5, 0.1};\n"
+                             "Sphere(3) = {0.7, 0.5, 0.5, 0.1};\n"
+                             "BooleanDifference(4) = { Volume{1}; Delete; }{ Volume{2, 3}; Delete; };\nSave \"hollow.step\";\n");
+  CHECK(folder.run("hollow.geo --cells 0.5 --to ball") == 2);
+  CHECK(folder.run("hollow.step --cells 0.5 --to ball") == 2);
+  CHECK(folder.text("stderr").find(" If it is a void, --fill-voids fills it.\n") != std::string::npos);
+  CHECK(folder.run("hollow.step --cells 0.5 --to ball --fill-voids --tetrahedra hollow.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: hollow.step: 2 voids are filled\n") == 0);
+  CHECK(volume(folder.soup("hollow.mesh")) == Approx(1));
+  // a boundary that the program prescribes itself, and misses
+  folder.write("angle.geo", head + "Box(1) = {0, 0, 0, 4, 1, 1};\nBox(2) = {0, 0, 0, 1, 1, 4};\n"
+                            "BooleanUnion(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\nSave \"angle.step\";\n");
+  CHECK(folder.run("angle.geo --cells 0.7 --to cube --refine=none") == 1);
+  CHECK(folder.text("stderr").find(". Allow refinement (--refine). Cells of another size (--cells) may have a map.\n")
+        != std::string::npos);
+  CHECK(folder.run("angle.step --cells 0.7 --to cube --refine=none") == 1);
+  CHECK(folder.text("stderr").find(" may have a map, and so may the body without the voids inside, if it has some: --fill-voids "
+                                   "fills them.\n") != std::string::npos);
+  // a script that makes no solid in the four runs of two attempts
+  folder.write("third.geo", head + "run = 1;\nFor i In {1 : 4}\nIf(FileExists(Sprintf(\"run%g\", i)))\nrun = i + 1;\nEndIf\n"
+                            "EndFor\nPrintf(\"\") > Sprintf(\"run%g\", run);\nIf(run > 4)\nBox(1) = {0, 0, 0, 4, 4, 4};\nEndIf\n");
+  CHECK(folder.run("third.geo --cells 1 --to ball --tetrahedra third.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: third.geo: Gmsh failed in its first attempt. Another one, with cells of twice the size, "
+                                   "succeeded\n") == 0);
+  CHECK(folder.run("third.geo --cells 2 --to ball --tetrahedra larger.mesh") == 0);
+  CHECK(folder.soup("third.mesh").cells.size() == folder.soup("larger.mesh").cells.size());
   CHECK(folder.run("none.step --to ball") == 2);
   CHECK(folder.text("stderr") == "none.step: the file cannot be opened\n");
   folder.write("flat.geo", "SetFactory(\"OpenCASCADE\");\nRectangle(1) = {0, 0, 0, 1, 1};\n");

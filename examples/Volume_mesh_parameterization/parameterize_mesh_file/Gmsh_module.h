@@ -18,7 +18,7 @@ struct Gmsh_module
 {
   void (*read)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup);
   void (*fill)(const std::string& filename, CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, double cell_size,
-               double joining_distance, bool is_second_attempt);
+               double joining_distance, int number_of_failures, bool do_fill_voids);
   void (*write)(std::ostream& os, const CGAL::Volume_mesh_parameterization::Tetrahedron_soup_3& soup, double version);
   void (*write_hexahedra)(std::ostream& os, const CGAL::Polycube_meshing_3::Hexahedron_soup_3& mesh,
                           const std::map<std::pair<int, int>, std::string>& names, double version);

@@ -63,6 +63,8 @@ inline void check_cells(const Options& options)
             "the size of cells (--cells) must be a finite number that is not negative");
   refuse_if((options.cell_size > 0 || !options.tetrahedra.empty()) && !is_body_name(options.source),
             "--cells and --tetrahedra need a source that is filled, with one of the extensions " + body_extensions());
+  refuse_if(options.do_fill_voids && (!is_body_name(options.source) || extension_of(options.source) == ".geo"),
+            "--fill-voids needs a source of a CAD program or a closed surface. A script of Gmsh fills voids itself");
   refuse_if(!(options.joining_distance >= 0) || std::isinf(options.joining_distance),
             "the distance of points (--merge-points) must be a finite number that is not negative");
   const bool has_points = !is_body_name(options.source) || format_of(options.source) == Mesh_format::SURFACE

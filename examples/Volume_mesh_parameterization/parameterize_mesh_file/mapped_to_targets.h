@@ -177,18 +177,40 @@ inline std::string advice_for_inverted_target(const Mapped_mesh& mapped)
     : " If TARGET contains displacements, use --displacements.";
 }
 
+// Advises on a body whose boundary has no map that can be used, or whose map does not meet it.
+inline std::string advice_for_body(const Options& options, const VMP::Error_code status)
+{
+  const bool may_have_voids = !options.do_fill_voids && extension_of(options.source) != ".geo";
+  switch(status)
+  {
+    case VMP::ERROR_NON_MANIFOLD_BOUNDARY:
+      return " Cells of another size (--cells) may not touch there.";
+    case VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS:
+      return std::string(" If it is a void, ") + (may_have_voids ? "--fill-voids fills it." : "fill it in a CAD program.")
+        + (options.domain == "polycube" ? " --cells with half of its size helps, too, if cells are larger." : "");
+    case VMP::ERROR_NOT_FLIP_FREE:
+    case VMP::ERROR_BOUNDARY_NOT_REACHED:
+      return std::string(" Cells of another size (--cells) may have a map")
+        + (may_have_voids ? ", and so may the body without the voids inside, if it has some: --fill-voids fills them." : ".");
+    default:
+      return "";
+  }
+}
+
 // Says in the words of the program why a map is not as it was asked for.
 inline void complete_message(const Mapped_mesh& mapped, const Options& options, Result& result)
 {
   const bool is_boundary_mapped = options.domain.empty() || result.number_of_cells > 0;
   if(!is_boundary_mapped && result.status != VMP::ERROR_INTERRUPTED)
     result.message = message_of_domain(options.domain, result.status, result.message, mapped.mesh)
-      + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source)
-         : is_body_name(options.source) && result.status == VMP::ERROR_NON_MANIFOLD_BOUNDARY
-           ? " Cells of another size (--cells) may not touch there."
-         : is_body_name(options.source) && options.domain == "polycube" && result.status == VMP::ERROR_SEVERAL_BOUNDARY_COMPONENTS
-           ? " If it is a void, fill it in a CAD program. --cells with half of its size helps, too, if cells are larger."
-             : "");
+      + (result.status == VMP::ERROR_BOUNDARY_TOO_COARSE ? advice_to_refine(options.source) : "");
+  if(!options.domain.empty()) // the boundary is prescribed by the program
+  {
+    boost::replace_all(result.message, " Prescribe a boundary nearer to the source there.", "");
+    boost::replace_all(result.message, ", or prescribe a boundary nearer to the source there.", ".");
+    if(is_body_name(options.source))
+      result.message += advice_for_body(options, result.status);
+  }
   result.message = with_names_of_options(result.message);
   if(options.do_improve) // which has no targets
     boost::replace_all(result.message, "Move one of its targets off the line.",

@@ -131,32 +131,39 @@ inline VMP::Tetrahedron_soup_3 read_closed_surface(const std::string& filename, 
   });
 }
 
-// Fills the body of a CAD file or of a closed surface with tetrahedra. A second attempt follows if Gmsh fails or crashes. Without
+// Fills the body of a CAD file or of a closed surface with tetrahedra. Other attempts follow if Gmsh fails or crashes. Without
 // Gmsh, the error has the advice.
 inline VMP::Tetrahedron_soup_3 filled_body(const Options& options, Progress_line& progress)
 {
 #ifdef PARAMETERIZE_MESH_FILE_USES_GMSH
-  const auto fill = [&](const bool is_second_attempt)
+  const auto fill = [&](const int number_of_failures)
   {
     return read_in_own_process(options.source, "Gmsh", progress, [&](auto& soup)
-    { gmsh_module().fill(options.source, soup, options.cell_size, options.joining_distance, is_second_attempt); }, true);
+    {
+      gmsh_module().fill(options.source, soup, options.cell_size, options.joining_distance, number_of_failures,
+                         options.do_fill_voids);
+    }, true);
   };
   return naming(options.source, [&]
   {
-    try { return fill(false); }
-    catch(const Out_of_time&) { throw; }
-    catch(const VMP::Input_error&)
-    {
-      const std::exception_ptr failure = std::current_exception();
+    const int number_of_attempts = format_of(options.source) == Mesh_format::SOLIDS ? 3 : 2;
+    std::exception_ptr failure; // the first one
+    for(int i = 0; i < number_of_attempts; ++i)
       try
       {
-        VMP::Tetrahedron_soup_3 soup = fill(true);
-        soup.notes.push_back("Gmsh failed in its first attempt. The second one, with another algorithm, succeeded");
+        VMP::Tetrahedron_soup_3 soup = fill(i);
+        if(i > 0)
+          soup.notes.push_back(std::string("Gmsh failed in its first attempt. Another one, with ")
+                               + (i == 1 ? "another algorithm" : "cells of twice the size") + ", succeeded");
         return soup;
       }
-      catch(const VMP::Input_error&) {}
-      std::rethrow_exception(failure);
-    }
+      catch(const Out_of_time&) { throw; }
+      catch(const VMP::Input_error&)
+      {
+        if(!failure)
+          failure = std::current_exception();
+      }
+    std::rethrow_exception(failure);
   });
 #else
   return read_mesh(options.source, progress);

@@ -77,22 +77,24 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 ///        `Mesh.MeshSizeMax` of the script, or else a twentieth of the diagonal
 /// \param joining_distance the distance up to which points at gaps of a surface are joined if that closes it; 0 stands for a tiny
 ///        part of the surface
-/// \param is_second_attempt whether another algorithm is tried, after a failure; triangles of a surface stay then
+/// \param number_of_failures how many attempts have failed before: after one, another algorithm is tried, and after two, solids
+///        get cells of twice the size; triangles of a surface stay then
+/// \param do_fill_voids whether voids inside of solids, or of what a surface encloses, are filled; a script decides that itself
 ///
 /// \pre `cell_size` and `joining_distance` are not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
 ///
 /// \exception Input_error names the fault, if possible in the words of Gmsh, and a remedy; \c soup is then unchanged. Gmsh may
 ///            crash or never finish. A script of Gmsh may run other programs.
 inline void mesh_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup, const double cell_size = 0,
-                         const double joining_distance = 0, const bool is_second_attempt = false)
+                         const double joining_distance = 0, const int number_of_failures = 0, const bool do_fill_voids = false)
 {
   internal::require(cell_size >= 0 && joining_distance >= 0, "cell_size and joining_distance must not be negative.");
   internal::require_readable(filename);
   if(internal::is_surface_name(filename))
     soup = internal::filled_surface(internal::read_closed_surface(filename, joining_distance, internal::Budget(), true),
-                                    { cell_size, is_second_attempt });
+                                    { cell_size, number_of_failures, do_fill_voids });
   else if(internal::has_extension(filename, { ".step", ".stp", ".iges", ".igs", ".brep", ".geo" }))
-    soup = internal::filled_solids(filename, { cell_size, is_second_attempt });
+    soup = internal::filled_solids(filename, { cell_size, number_of_failures, do_fill_voids });
   else
     throw Input_error("the extension is not one of a body that Gmsh fills");
 }

@@ -15,16 +15,20 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
 #include <cctype>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
-// How Gmsh is to fill a body. After a failure, another algorithm may succeed.
+// How Gmsh is to fill a body. After a failure, another algorithm may succeed, or larger cells.
 struct Gmsh_attempt
 {
   double cell_size = 0;
-  bool is_second = false;
+  int number = 0; // of attempts before
+  bool do_fill_voids = false;
+
+  bool is_second() const { return number == 1; }
 };
 
 // Calls `f(entity)` for each entity of a file of STEP with a keyword, without blanks; for none in other files.
@@ -59,9 +63,64 @@ inline std::string unit_of_STEP(const std::string& filename)
   return units.size() == 1 ? *units.begin() : "";
 }
 
-// Loads the solids of a file into the model. Faces without solids, as in files of IGES, are sewn. Solids that touch get common
-// faces; a script of Gmsh decides that itself.
-inline void load_solids(const std::string& filename)
+// Returns the shells of a solid of the model, which are its faces that share curves: the outer one is last.
+inline std::vector<gmsh::vectorpair> shells_of_solid(const std::pair<int, int>& solid)
+{
+  gmsh::vectorpair faces, curves;
+  gmsh::model::getBoundary({ solid }, faces, false, false);
+  std::map<int, std::size_t> face_of_curve;
+  Disjoint_sets sets(faces.size());
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    gmsh::model::getBoundary({ faces[f] }, curves, false, false);
+    for(const auto& [dimension, curve] : curves)
+      sets.unite(f, face_of_curve.emplace(curve, f).first->second);
+  }
+  std::vector<gmsh::vectorpair> shells;
+  std::vector<Box_3> boxes;
+  const std::vector<std::size_t> numbers = sets.numbers();
+  for(std::size_t f = 0; f < faces.size(); ++f)
+  {
+    shells.resize((std::max)(shells.size(), numbers[f] + 1));
+    boxes.resize(shells.size());
+    shells[numbers[f]].push_back(faces[f]);
+    std::array<double, 3> low, high;
+    gmsh::model::getBoundingBox(2, faces[f].second, low[0], low[1], low[2], high[0], high[1], high[2]);
+    boxes[numbers[f]].extend(to_vector(low));
+    boxes[numbers[f]].extend(to_vector(high));
+  }
+  const auto is_smaller = [](const Box_3& a, const Box_3& b) { return a.diagonal().norm() < b.diagonal().norm(); };
+  std::swap(shells[std::max_element(boxes.begin(), boxes.end(), is_smaller) - boxes.begin()], shells.back());
+  return shells;
+}
+
+// Replaces each solid of the model that has voids by what its outer shell encloses, and adds the number of voids.
+inline void fill_voids(gmsh::vectorpair& solids, std::size_t& number_of_voids)
+{
+  for(std::pair<int, int>& solid : solids)
+  {
+    std::vector<gmsh::vectorpair> voids = shells_of_solid(solid);
+    std::vector<int> outer;
+    for(const auto& [dimension, face] : voids.back())
+      outer.push_back(face);
+    voids.pop_back();
+    if(voids.empty())
+      continue;
+    std::string name;
+    gmsh::model::getEntityName(3, solid.second, name);
+    gmsh::model::occ::remove({ solid });
+    solid.second = gmsh::model::occ::addVolume({ gmsh::model::occ::addSurfaceLoop(outer) });
+    for(const gmsh::vectorpair& faces : voids)
+      gmsh::model::occ::remove(faces, true);
+    gmsh::model::occ::synchronize();
+    gmsh::model::setEntityName(3, solid.second, name);
+    number_of_voids += voids.size();
+  }
+}
+
+// Loads the solids of a file into the model. Faces without solids, as in files of IGES, are sewn. Voids are filled if that is
+// wanted. Solids that touch get common faces; a script of Gmsh decides all of that itself. Returns the number of filled voids.
+inline std::size_t load_solids(const std::string& filename, const bool do_fill_voids)
 {
   gmsh::vectorpair solids;
   for(const int makes_solids : { 0, 1 })
@@ -78,14 +137,24 @@ inline void load_solids(const std::string& filename)
   if(solids.empty())
     throw Input_error("the file contains no solid, and its faces do not enclose one. Close the gaps between faces in a CAD "
                       "program");
-  if(solids.size() > 1 && !has_extension(filename, { ".geo" }))
+  std::size_t number_of_voids = 0;
+  if(has_extension(filename, { ".geo" }))
+    return number_of_voids;
+  if(do_fill_voids)
+    fill_voids(solids, number_of_voids);
+  if(solids.size() > 1)
   {
     gmsh::vectorpair parts;
     std::vector<gmsh::vectorpair> parts_of_solids;
     gmsh::model::occ::fragment(solids, {}, parts, parts_of_solids);
     gmsh::model::occ::synchronize();
   }
+  return number_of_voids;
 }
+
+// Returns a note on voids that have been filled; nothing if there are none.
+inline std::string note_of_voids(const std::size_t number)
+{ return number == 0 ? "" : counted(number, "void is filled", "voids are filled"); }
 
 // Returns the curves where a face meets itself, as a cylinder does. They are no edges of the body.
 inline std::set<int> seams()
@@ -172,16 +241,18 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
     size = diagonal / 20;
   if(attempt.cell_size > 0)
     size = attempt.cell_size;
+  if(attempt.number == 2) // as triangles of curved faces close to each other cross less where they are large on both
+    size *= 2;
   constexpr double MeshAdapt = 1; // Gmsh's manual calls this algorithm for faces the most robust one
-  if(attempt.is_second)
+  if(attempt.is_second())
     gmsh::option::setNumber("Mesh.Algorithm", MeshAdapt);
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   std::string note;
   const std::size_t number = number_of_thin_faces(size);
-  if(edges_of_script == 0 && (number > 0 || attempt.is_second))
+  if(edges_of_script == 0 && (number > 0 || attempt.is_second()))
   {
     // guesses; four charts of a polycube around a bore need two edges each, and with more, triangles of faces nearby do not cross
-    const int number_of_edges = attempt.is_second ? 24 : 8;
+    const int number_of_edges = attempt.is_second() ? 24 : 8;
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", number_of_edges);
     if(number > 0)
       note = counted(number, "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. ";
@@ -196,10 +267,11 @@ inline Tetrahedron_soup_3 filled_solids(const std::string& filename, const Gmsh_
 {
   return with_Gmsh([&]
   {
-    load_solids(filename);
+    const std::size_t number_of_voids = load_solids(filename, attempt.do_fill_voids);
     const std::string note_of_circles = generate_tetrahedra(attempt);
     Tetrahedron_soup_3 result = Gmsh_reader(seams()).read();
-    for(const std::string& note : { note_of_sheets(), note_of_circles, note_of_names(filename, result) })
+    for(const std::string& note : { note_of_voids(number_of_voids), note_of_sheets(), note_of_circles,
+                                    note_of_names(filename, result) })
       if(!note.empty())
         result.notes.push_back(note);
     return result;
@@ -220,19 +292,41 @@ inline double solid_angle(const Points& points, const Triangles& triangles, cons
   return result;
 }
 
-// Returns for each part of a closed surface the part that bounds the same body from outside: itself, or the one around a cavity.
-inline std::vector<std::size_t> outer_parts(const Points& points, const std::vector<Triangles>& parts)
+// Returns for each part of a closed surface the others that it is inside of.
+inline std::vector<std::vector<std::size_t> > parts_around(const Points& points, const std::vector<Triangles>& parts)
 {
   std::vector<std::vector<std::size_t> > around(parts.size());
   for(std::size_t i = 0; i < parts.size(); ++i)
     for(std::size_t j = 0; j < parts.size(); ++j)
       if(i != j && std::abs(solid_angle(points, parts[j], to_vector(points[parts[i][0][0]]))) > 2 * CGAL_PI)
         around[i].push_back(j);
+  return around;
+}
+
+// Returns for each part of a closed surface the part that bounds the same body from outside: itself, or the one around a cavity.
+inline std::vector<std::size_t> outer_parts(const Points& points, const std::vector<Triangles>& parts)
+{
+  const std::vector<std::vector<std::size_t> > around = parts_around(points, parts);
   std::vector<std::size_t> result;
   for(std::size_t i = 0; i < parts.size(); ++i)
     result.push_back(around[i].size() % 2 == 0 ? i : *std::max_element(around[i].begin(), around[i].end(),
       [&](const std::size_t j, const std::size_t k) { return around[j].size() < around[k].size(); }));
   return result;
+}
+
+// Leaves out the parts of a closed surface that are inside of others, and returns the number of voids among them.
+inline std::size_t leave_out_voids(Tetrahedron_soup_3& surface)
+{
+  const std::vector<Triangles> parts = components(surface.facets);
+  const std::vector<std::vector<std::size_t> > around = parts_around(surface.points, parts);
+  surface.facets.clear();
+  std::size_t number = 0;
+  for(std::size_t i = 0; i < parts.size(); ++i)
+    if(around[i].empty())
+      surface.facets.insert(surface.facets.end(), parts[i].begin(), parts[i].end());
+    else
+      number += around[i].size() % 2;
+  return number;
 }
 
 // Makes each body that a surface encloses a volume of the model, and returns their number. Each part of the surface is a discrete
@@ -326,7 +420,10 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
   };
   if(components(surface.facets).size() > 1)
     require_no_crossing(surface);
-  if(!attempt.is_second)
+  if(attempt.do_fill_voids)
+    if(const std::string note = note_of_voids(leave_out_voids(surface)); !note.empty())
+      surface.notes.push_back(note);
+  if(attempt.number == 0)
     try { return filled(true); }
     catch(const Input_error&) {}
   surface.notes.push_back("Gmsh makes no new triangles on this surface. The tetrahedra have the triangles of the file");
