@@ -241,7 +241,8 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
     size = diagonal / 20;
   if(attempt.cell_size > 0)
     size = attempt.cell_size;
-  if(attempt.number == 2) // as triangles of curved faces close to each other cross less where they are large on both
+  const bool is_last = attempt.number == 2; // triangles of faces close to each other may cross less where both are large
+  if(is_last)
     size *= 2;
   constexpr double MeshAdapt = 1; // Gmsh's manual calls this algorithm for faces the most robust one
   if(attempt.is_second())
@@ -249,7 +250,7 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   std::string note;
   const std::size_t number = number_of_thin_faces(size);
-  if(edges_of_script == 0 && (number > 0 || attempt.is_second()))
+  if(edges_of_script == 0 && !is_last && (number > 0 || attempt.is_second()))
   {
     // guesses; four charts of a polycube around a bore need two edges each, and with more, triangles of faces nearby do not cross
     const int number_of_edges = attempt.is_second() ? 24 : 8;
