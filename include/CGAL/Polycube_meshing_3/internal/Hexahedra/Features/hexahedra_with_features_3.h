@@ -260,6 +260,13 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   return result;
 }
 
+// Returns whether hexahedra with features are usable, and no farther from the body than an edge; or no worse than those without.
+inline bool may_replace_3(const Hexahedral_mesh_result& with, const Hexahedral_mesh_result& without, const double edge)
+{
+  return is_at_least(with, (std::min)(usable_scaled_jacobian, without.minimum_scaled_jacobian))
+    && with.boundary_distance <= (std::max)(edge, without.boundary_distance);
+}
+
 // Returns hexahedra with the features of the body. Returns the ones as they are unless usable ones keep more features.
 inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                   Best_hexahedra_3 best, const bool may_change, const Budget& budget)
@@ -273,7 +280,7 @@ inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& pro
   const Body_complex_3 with_room(body.soup, body.points, width_without_room * best.edge);
   Best_hexahedra_3 next
     = fitted_to_features_3(with_room, body.surface, best.mesh, best.edge, problem.solver, body.is_parallel, budget);
-  if(!is_at_least(next.result, (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian)))
+  if(!may_replace_3(next.result, best.result, best.edge))
     return best;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
   next.mesh.images.resize(next.mesh.points.size());
