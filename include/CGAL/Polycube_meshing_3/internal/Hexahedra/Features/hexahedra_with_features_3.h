@@ -203,15 +203,6 @@ inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, c
   return result;
 }
 
-// Returns the sheets across edges of curves that were given up because others left no room, as long as they add few hexahedra.
-inline std::set<std::size_t> sheets_for_room_3(const Embedded_features_3& features, const Sheets_3& sheets, std::size_t most)
-{
-  std::set<std::size_t> result;
-  for(const std::size_t e : features.embedding.contested())
-    sheets.take(features.sheet(sheets, e), result, most);
-  return result;
-}
-
 // Returns hexahedra with paths for features, made of others by a layer along the boundary and sheets across curves that have too
 // few edges. Other sheets are cut where curves have no room, as long as fewer curves are given up then. Returns none if there are
 // no paths.
@@ -234,8 +225,9 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
     const Sheets_3 sheets(result->mesh);
     std::set<std::size_t> cut = sheets_for_bends_3(complex, *result, sheets, edge, most);
     is_for_room = cut.empty();
-    if(is_for_room)
-      cut = sheets_for_room_3(*result, sheets, most);
+    if(std::size_t left = most; is_for_room)
+      for(const std::size_t e : result->embedding.contested())
+        sheets.take(result->sheet(sheets, e), cut, left);
     if(cut.empty())
       return result;
     mesh = sheets.cut(cut);
