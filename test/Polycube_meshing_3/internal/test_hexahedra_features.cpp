@@ -363,23 +363,19 @@ TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside ot
 
 TEST_CASE("Features of hexahedra cost neither their validity nor their distance to the body")
 {
-  const auto result = [](const double minimum, const double distance)
+  const auto may_replace = [](const bool is_valid, const double minimum, const double distance)
   {
-    PM::Hexahedral_mesh_result mesh;
-    mesh.has_valid_mesh = true;
-    mesh.minimum_scaled_jacobian = minimum;
-    mesh.boundary_distance = distance;
-    return mesh;
+    PM::internal::Best_hexahedra_3 hexahedra;
+    hexahedra.edge = 2;
+    hexahedra.result.has_valid_mesh = is_valid;
+    hexahedra.result.minimum_scaled_jacobian = minimum;
+    hexahedra.result.boundary_distance = distance;
+    return PM::internal::may_replace_3(hexahedra, 0.01);
   };
-  const auto may_replace = [&](const PM::Hexahedral_mesh_result& with)
-  { return PM::internal::may_replace_3(with, result(0.7, 0.2), 2); };
-  CHECK(may_replace(result(0.02, 1.9)));
-  CHECK(!may_replace(result(0.005, 0.2)));
-  CHECK(!may_replace(result(0.7, 2.1)));
-  CHECK(PM::internal::may_replace_3(result(0.02, 2.9), result(0.7, 3), 2));
-  PM::Hexahedral_mesh_result inverted = result(0.7, 0.2);
-  inverted.has_valid_mesh = false;
-  CHECK(!may_replace(inverted));
+  CHECK(may_replace(true, 0.02, 1.9));
+  CHECK(!may_replace(false, 0.02, 1.9));
+  CHECK(!may_replace(true, 0.005, 1.9));
+  CHECK(!may_replace(true, 0.7, 2.1));
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

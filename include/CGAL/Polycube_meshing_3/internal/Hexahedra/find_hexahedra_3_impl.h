@@ -63,13 +63,15 @@ inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3&
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. They
-// follow the interfaces unless these are to be staircases.
+// follow the interfaces unless these are to be staircases. Untangled ones are fitted to features of the body at once if they can be,
+// as these move the vertices again.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                          const Boxes_3& boxes, Body_interfaces_3& interfaces, const Staircases staircases,
                                          const Budget& budget)
 {
   Best_hexahedra_3 best
     = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {}, staircases };
+  bool may_fit = interfaces.empty();
   const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
                                      other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
   for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
@@ -92,7 +94,16 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       if(budget.is_exhausted() || (may_leave_surface && is_at_least(best.result, bad_scaled_jacobian)))
         break;
       Sliding_hexahedra_3 hexahedra(start, problem.solver, body.is_parallel, budget);
-      Hexahedra_improvement_3(hexahedra, !layers.empty(), budget, best).run(may_leave_surface);
+      Hexahedra_improvement_3 improvement(hexahedra, !layers.empty(), budget, best);
+      if(!improvement.untangle(may_leave_surface))
+        continue;
+      if(may_fit && is_at_least(best.result, usable_scaled_jacobian))
+      {
+        may_fit = false; // it takes as long as all else
+        if(const auto with_features = hexahedra_with_features_3(problem, body, best, bad_scaled_jacobian, budget))
+          return *with_features;
+      }
+      improvement.polish();
     }
   }
   return best;
@@ -147,8 +158,14 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
+  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features)
+  {
+    const double bound = (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian);
+    if(auto with_features = hexahedra_with_features_3(problem, body, best, bound, budget))
+      best = std::move(*with_features);
+  }
   if(best.result.has_valid_mesh)
-    best = hexahedra_with_features_3(problem, body, std::move(best), interfaces.empty(), budget);
+    best.result.features = kept_features_3(Body_complex_3(body.soup, body.points), body.surface, best.mesh, best.edge);
   put_on_planes(body.surface, best.mesh);
   return found_hexahedra_3(problem, body, interfaces, best, budget);
 }

@@ -252,38 +252,36 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   return result;
 }
 
-// Returns whether hexahedra with features are usable, and no farther from the body than an edge; or no worse than those without.
-inline bool may_replace_3(const Hexahedral_mesh_result& with, const Hexahedral_mesh_result& without, const double edge)
-{
-  return is_at_least(with, (std::min)(usable_scaled_jacobian, without.minimum_scaled_jacobian))
-    && with.boundary_distance <= (std::max)(edge, without.boundary_distance);
-}
+// Returns whether hexahedra with features may replace others: no scaled Jacobian is below a bound, and they are no farther from the
+// body than an edge.
+inline bool may_replace_3(const Best_hexahedra_3& with_features, const double bound)
+{ return is_at_least(with_features.result, bound) && with_features.result.boundary_distance <= with_features.edge; }
 
-// Returns hexahedra with the features of the body. Returns the ones as they are unless usable ones keep more features.
-inline Best_hexahedra_3 hexahedra_with_features_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
-                                                  Best_hexahedra_3 best, const bool may_change, const Budget& budget)
+// Returns hexahedra with more features of the body than others have; none if such ones may not replace the others.
+inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
+                                                                 const Body_with_domain_3& body, const Best_hexahedra_3& others,
+                                                                 const double bound, const Budget& budget)
 {
   const Body_complex_3 complex(body.soup, body.points);
-  best.result.features = kept_features_3(complex, body.surface, best.mesh, best.edge);
-  const Hexahedral_mesh_features& before = best.result.features;
-  if(!may_change || number_of_kept(before) == number_of_features(before))
-    return best;
+  const Hexahedral_mesh_features before = kept_features_3(complex, body.surface, others.mesh, others.edge);
+  if(number_of_kept(before) == number_of_features(before))
+    return std::nullopt;
   constexpr double width_without_room = 0.09; // a guess; in edges
-  const Body_complex_3 with_room(body.soup, body.points, width_without_room * best.edge);
-  Best_hexahedra_3 next
-    = fitted_to_features_3(with_room, body.surface, best.mesh, best.edge, problem.solver, body.is_parallel, budget);
-  if(!may_replace_3(next.result, best.result, best.edge))
-    return best;
+  const Body_complex_3 with_room(body.soup, body.points, width_without_room * others.edge);
+  Best_hexahedra_3 result
+    = fitted_to_features_3(with_room, body.surface, others.mesh, others.edge, problem.solver, body.is_parallel, budget);
+  if(!may_replace_3(result, bound)
+     || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before))
+    return std::nullopt;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
-  next.mesh.images.resize(next.mesh.points.size());
-  for(std::size_t v = 0; v < next.mesh.points.size(); ++v)
-    if(const auto image = body.map.nearest_image(exact_point(next.mesh.points[v])))
-      next.mesh.images[v] = domain.without_rounding(to_vector(image->point));
-  next.result.features = kept_features_3(complex, body.surface, next.mesh, next.edge);
-  return number_of_kept(next.result.features) > number_of_kept(before) ? next : best;
+  result.mesh.images.resize(result.mesh.points.size());
+  for(std::size_t v = 0; v < result.mesh.points.size(); ++v)
+    if(const auto image = body.map.nearest_image(exact_point(result.mesh.points[v])))
+      result.mesh.images[v] = domain.without_rounding(to_vector(image->point));
+  result.has_features = true;
+  return result;
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal
-
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_HEXAHEDRA_WITH_FEATURES_3_H

@@ -102,6 +102,7 @@ struct Best_hexahedra_3
   Hexahedral_mesh_result result;
   Hexahedra_3 mesh;
   Staircases staircases = Staircases::NONE;
+  bool has_features = false; // Was it fitted to features of the body?
 
   void take(const Hexahedral_mesh_result& of_next, const Hexahedra_3& next)
   {

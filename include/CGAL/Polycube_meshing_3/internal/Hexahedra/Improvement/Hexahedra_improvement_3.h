@@ -29,8 +29,15 @@ public:
     : m_hexahedra(hexahedra), m_has_padding(has_padding), m_bound_of_lines(bound_of_lines), m_budget(budget), m_best(best)
   {}
 
-  // If vertices may leave the surface, they do so before all else, and if corners stay inverted there, all else is in vain.
   void run(const bool may_leave_surface)
+  {
+    if(untangle(may_leave_surface))
+      polish();
+  }
+
+  // Moves vertices until few corners are inverted. If vertices may leave the surface, they do so before all else, and if corners
+  // stay inverted there, all else is in vain. Returns whether it is not.
+  bool untangle(const bool may_leave_surface)
   {
     evaluate();
     if(may_leave_surface)
@@ -38,9 +45,15 @@ public:
       const bool is_untangled = m_hexahedra.leave_and_return();
       evaluate();
       if(!is_untangled)
-        return;
+        return false;
     }
     move_all();
+    return true;
+  }
+
+  // Improves the worst corners and the distance from the boundary.
+  void polish()
+  {
     if(has_few_inverted_corners())
       improve_worst_corners();
     approach_boundary();
