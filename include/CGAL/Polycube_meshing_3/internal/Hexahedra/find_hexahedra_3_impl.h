@@ -63,8 +63,8 @@ inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3&
 }
 
 // Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. They
-// follow the interfaces unless these are to be staircases. Untangled ones are fitted to features of the body at once if they can be,
-// as these move the vertices again.
+// follow the interfaces unless these are to be staircases. If they can be fitted to features of the body once they are untangled,
+// nothing else is tried: this moves all vertices again.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                          const Boxes_3& boxes, Body_interfaces_3& interfaces, const Staircases staircases,
                                          const Budget& budget)

@@ -252,8 +252,8 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   return result;
 }
 
-// Returns whether hexahedra with features may replace others: no scaled Jacobian is below a bound, and they are no farther from the
-// body than an edge.
+// Returns whether hexahedra with features may replace others: no scaled Jacobian is below a bound, and they are no farther from
+// the body than an edge.
 inline bool may_replace_3(const Best_hexahedra_3& with_features, const double bound)
 { return is_at_least(with_features.result, bound) && with_features.result.boundary_distance <= with_features.edge; }
 
