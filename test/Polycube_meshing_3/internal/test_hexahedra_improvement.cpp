@@ -222,7 +222,7 @@ TEST_CASE("The worst corners are not improved if many corners are inverted, whic
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
   PM::internal::Sliding_hexahedra_3 hexahedra(placed, linear_solver, false, budget);
   PM::internal::Best_hexahedra_3 best;
-  PM::internal::Hexahedra_improvement_3(hexahedra, false, budget, best, false).run(false);
+  PM::internal::Hexahedra_improvement_3(hexahedra, false, budget, best, std::nullopt).run(false);
   CHECK(best.result.number_of_inverted_corners > 0);
   CHECK((rounds["worst corners"] == 0) == are_many);
   CHECK(rounds["corners"] < 5); // the first ones untangle some corners
