@@ -363,19 +363,18 @@ TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside ot
 
 TEST_CASE("Features of hexahedra cost neither their validity nor their distance to the body")
 {
-  const auto may_replace = [](const bool is_valid, const double minimum, const double distance)
+  const auto are_met = [](const bool is_valid, const double minimum, const double distance)
   {
-    PM::internal::Best_hexahedra_3 hexahedra;
-    hexahedra.edge = 2;
-    hexahedra.result.has_valid_mesh = is_valid;
-    hexahedra.result.minimum_scaled_jacobian = minimum;
-    hexahedra.result.boundary_distance = distance;
-    return PM::internal::may_replace_3(hexahedra, 0.01);
+    PM::Hexahedral_mesh_result result;
+    result.has_valid_mesh = is_valid;
+    result.minimum_scaled_jacobian = minimum;
+    result.boundary_distance = distance;
+    return PM::internal::Bounds_of_hexahedra_3{ 0.01, 1 }.are_met_by(result);
   };
-  CHECK(may_replace(true, 0.02, 1.9));
-  CHECK(!may_replace(false, 0.02, 1.9));
-  CHECK(!may_replace(true, 0.005, 1.9));
-  CHECK(!may_replace(true, 0.7, 2.1));
+  CHECK(are_met(true, 0.02, 0.9));
+  CHECK(!are_met(false, 0.02, 0.9));
+  CHECK(!are_met(true, 0.005, 0.9));
+  CHECK(!are_met(true, 0.7, 1.1));
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

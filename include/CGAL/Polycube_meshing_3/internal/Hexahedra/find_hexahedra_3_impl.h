@@ -100,7 +100,8 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       if(may_fit && is_at_least(best.result, usable_scaled_jacobian))
       {
         may_fit = false; // it takes as long as all else
-        if(const auto with_features = hexahedra_with_features_3(problem, body, best, bad_scaled_jacobian, budget))
+        const Bounds_of_hexahedra_3 near = { bad_scaled_jacobian, largest_distance * best.edge };
+        if(const auto with_features = hexahedra_with_features_3(problem, body, best, near, budget))
           return *with_features;
       }
       improvement.polish();
@@ -160,8 +161,9 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
   if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features)
   {
-    const double bound = (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian);
-    if(auto with_features = hexahedra_with_features_3(problem, body, best, bound, budget))
+    const Bounds_of_hexahedra_3 no_worse = { (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian),
+                                             (std::max)(largest_distance * best.edge, best.result.boundary_distance) };
+    if(auto with_features = hexahedra_with_features_3(problem, body, best, no_worse, budget))
       best = std::move(*with_features);
   }
   if(best.result.has_valid_mesh)

@@ -46,8 +46,7 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
   }
 }
 
-// Parts of an edge of hexahedra and of the volume of a subdomain: a larger deviation from the body is an error. Both are guesses.
-constexpr double largest_part_of_edge = 0.5, largest_part_of_volume = 0.02;
+constexpr double largest_part_of_volume = 0.02; // of a subdomain: a larger deviation is an error; a guess
 
 // Makes the result an error that names where hexahedra deviate from the body.
 inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& result)
@@ -73,7 +72,7 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
     return;
   const std::string distance = sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,
                                         " of the edges there. The distance is largest at ", describe(farthest.point), ".");
-  if(farthest.distance > largest_part_of_edge * edge)
+  if(farthest.distance > largest_distance * edge)
     add_deviation(distance, result);
   else
     result.message += distance;
@@ -135,7 +134,7 @@ inline void check_completeness(const Body_with_domain_3& body, const Largest_dis
       image.extend(body.images[v]);
     }
   std::string missing;
-  if(farthest.distance > (std::min)(largest_part_of_edge * edge, large_part * source.diagonal().norm()))
+  if(farthest.distance > (std::min)(largest_distance * edge, large_part * source.diagonal().norm()))
     missing = sentence(" The boundaries of hexahedra and body are ", farthest.distance, " apart at ", describe(farthest.point),
                        ", where an edge of a hexahedron is about ", edge, " long. The spacing is ", spacing,
                        " in a domain with the sides ", describe(image.diagonal()), ".");

@@ -252,15 +252,20 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   return result;
 }
 
-// Returns whether hexahedra with features may replace others: no scaled Jacobian is below a bound, and they are no farther from
-// the body than an edge.
-inline bool may_replace_3(const Best_hexahedra_3& with_features, const double bound)
-{ return is_at_least(with_features.result, bound) && with_features.result.boundary_distance <= with_features.edge; }
+// Bounds of hexahedra with features: of the least scaled Jacobian, and of the distance from the boundary.
+struct Bounds_of_hexahedra_3
+{
+  double scaled_jacobian;
+  double distance;
 
-// Returns hexahedra with more features of the body than others have; none if such ones may not replace the others.
+  bool are_met_by(const Hexahedral_mesh_result& result) const
+  { return is_at_least(result, scaled_jacobian) && result.boundary_distance <= distance; }
+};
+
+// Returns hexahedra with more features of the body than others have; none if such ones do not meet the bounds.
 inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
                                                                  const Body_with_domain_3& body, const Best_hexahedra_3& others,
-                                                                 const double bound, const Budget& budget)
+                                                                 const Bounds_of_hexahedra_3& bounds, const Budget& budget)
 {
   const Body_complex_3 complex(body.soup, body.points);
   const Hexahedral_mesh_features before = kept_features_3(complex, body.surface, others.mesh, others.edge);
@@ -270,7 +275,7 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
   const Body_complex_3 with_room(body.soup, body.points, width_without_room * others.edge);
   Best_hexahedra_3 result
     = fitted_to_features_3(with_room, body.surface, others.mesh, others.edge, problem.solver, body.is_parallel, budget);
-  if(!may_replace_3(result, bound)
+  if(!bounds.are_met_by(result.result)
      || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before))
     return std::nullopt;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());

@@ -25,7 +25,9 @@ namespace CGAL::Polycube_meshing_3::internal {
 // finite elements take no less than the last.
 constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
                  bad_scaled_jacobian = 0.05, usable_scaled_jacobian = 0.01;
-constexpr double sufficient_distance = 0.4; // of boundaries, in edges; a guess
+
+// Distances of boundaries, in edges: one that needs no improvement, and the largest one that is no error. Both are guesses.
+constexpr double sufficient_distance = 0.4, largest_distance = 0.5;
 
 // Returns the result for a mesh.
 inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const bool has_padding)
