@@ -26,7 +26,8 @@ namespace CGAL::Polycube_meshing_3::internal {
 constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
                  bad_scaled_jacobian = 0.05, usable_scaled_jacobian = 0.01;
 
-// Distances of boundaries, in edges: one that needs no improvement, and the largest one that is no error. Both are guesses.
+// Distances, in edges: one of boundaries that needs no improvement, and the largest one of boundaries and interfaces that is no
+// error. Both are guesses.
 constexpr double sufficient_distance = 0.4, largest_distance = 0.5;
 
 // Returns the result for a mesh.
