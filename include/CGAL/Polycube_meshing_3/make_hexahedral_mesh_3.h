@@ -66,8 +66,7 @@ Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const do
 {
   check_named_parameters<internal_np::minimum_scaled_jacobian_t, internal_np::do_keep_interfaces_t>(np);
   require(spacing > 0 && std::isfinite(spacing), "spacing must be positive and finite.");
-  constexpr double poor = 0.01; // a guess; solvers of finite elements want more, but take it
-  const double bound = parameter_or(np, internal_np::minimum_scaled_jacobian, poor);
+  const double bound = parameter_or(np, internal_np::minimum_scaled_jacobian, usable_scaled_jacobian);
   require(bound <= 1, "minimum_scaled_jacobian must be at most 1.");
   Limits<NamedParameters> limits(np);
   Conjugate_gradient_solver_traits_3<ConcurrencyTag> solver;

@@ -363,18 +363,22 @@ TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside ot
 
 TEST_CASE("Features of hexahedra cost neither their validity nor their distance to the body")
 {
-  const auto are_met = [](const bool is_valid, const double minimum, const double distance)
+  PM::internal::Best_hexahedra_3 others;
+  others.edge = 2;
+  const auto may_replace = [&](const bool is_valid, const double minimum, const double distance)
   {
     PM::Hexahedral_mesh_result result;
     result.has_valid_mesh = is_valid;
     result.minimum_scaled_jacobian = minimum;
     result.boundary_distance = distance;
-    return PM::internal::Bounds_of_hexahedra_3{ 0.01, 1 }.are_met_by(result);
+    return PM::internal::may_replace(others, result, 0.01);
   };
-  CHECK(are_met(true, 0.02, 0.9));
-  CHECK(!are_met(false, 0.02, 0.9));
-  CHECK(!are_met(true, 0.005, 0.9));
-  CHECK(!are_met(true, 0.7, 1.1));
+  CHECK(may_replace(true, 0.02, 0.9));
+  CHECK(!may_replace(false, 0.02, 0.9));
+  CHECK(!may_replace(true, 0.005, 0.9));
+  CHECK(!may_replace(true, 0.7, 1.1));
+  others.result.boundary_distance = 1.2; // the features are not to blame
+  CHECK(may_replace(true, 0.02, 1.1));
 }
 
 TEST_CASE("Bends of a curve keep it within a distance")

@@ -228,6 +228,20 @@ TEST_CASE("The worst corners are not improved if many corners are inverted, whic
   CHECK(rounds["corners"] < 5); // the first ones untangle some corners
 }
 
+TEST_CASE("Vertices of a hexahedron that is inverted inside alone leave their lines")
+{
+  Sliding_hexahedra cube(Body(4, 0, same), 4);
+  REQUIRE(cube.number(PM::internal::Freedom_3::NONE) == 8);
+  CHECK(!cube.hexahedra.leave_lines(0));
+  PM::internal::Placed_hexahedra_3 placed = cube.placed;
+  for(Coordinates_3& p : placed.mesh.points)
+    if(p[2] == 4) // a half turn
+      p = { 4 - p[0], 4 - p[1], 4 };
+  REQUIRE(PM::internal::evaluated_hexahedra(placed.mesh, false).number_of_inverted_corners == 0);
+  PM::internal::Sliding_hexahedra_3 twisted(placed, cube.linear_solver, false, cube.budget);
+  CHECK(twisted.leave_lines(0));
+}
+
 TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")
 {
   using PM::internal::Freedom_3;
@@ -390,6 +404,10 @@ TEST_CASE("The distance of boundaries is that of tips, of vertices and of middle
   far.boundary_distance = 1.5;
   CHECK(PM::internal::is_better(near, far, 1));
   CHECK(PM::internal::is_better(far, near, 10)); // both suffice
+  near.minimum_scaled_jacobian = 0.02;
+  CHECK(PM::internal::is_better(near, far, 2)); // the other one is an error
+  near.minimum_scaled_jacobian = 0.005;
+  CHECK(PM::internal::is_better(far, near, 2)); // but no solver takes this one
 }
 
 TEST_CASE("Hexahedra are drawn to tips that are far away once their corners suffice")

@@ -20,6 +20,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
+constexpr double usable_scaled_jacobian = 0.01; // a guess; solvers of finite elements want more, but take it
+
 // Map of a body to a domain whose boundary facets are orthogonal to the axes, and what is wanted of its hexahedra.
 struct Hexahedra_problem_3
 {

@@ -72,6 +72,15 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
   Best_hexahedra_3 best
     = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {}, staircases };
   bool may_fit = interfaces.empty();
+  const auto fit_to_features = [&]
+  {
+    if(!may_fit || !best.result.has_valid_mesh)
+      return false;
+    may_fit = false; // it takes as long as all else
+    if(auto with_features = hexahedra_with_features_3(problem, body, best, budget))
+      best = std::move(*with_features);
+    return best.has_features;
+  };
   const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
                                      other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
   for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
@@ -97,14 +106,11 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       Hexahedra_improvement_3 improvement(hexahedra, !layers.empty(), budget, best);
       if(!improvement.untangle(may_leave_surface))
         continue;
-      if(may_fit && is_at_least(best.result, usable_scaled_jacobian))
-      {
-        may_fit = false; // it takes as long as all else
-        const Bounds_of_hexahedra_3 near = { bad_scaled_jacobian, largest_distance * best.edge };
-        if(const auto with_features = hexahedra_with_features_3(problem, body, best, near, budget))
-          return *with_features;
-      }
+      if(fit_to_features())
+        return best;
       improvement.polish();
+      if(fit_to_features())
+        return best;
     }
   }
   return best;
@@ -159,15 +165,6 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
-  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features)
-  {
-    const Bounds_of_hexahedra_3 no_worse = { (std::min)(usable_scaled_jacobian, best.result.minimum_scaled_jacobian),
-                                             (std::max)(largest_distance * best.edge, best.result.boundary_distance) };
-    if(auto with_features = hexahedra_with_features_3(problem, body, best, no_worse, budget))
-      best = std::move(*with_features);
-  }
-  if(best.result.has_valid_mesh)
-    best.result.features = kept_features_3(Body_complex_3(body.soup, body.points), body.surface, best.mesh, best.edge);
   put_on_planes(body.surface, best.mesh);
   return found_hexahedra_3(problem, body, interfaces, best, budget);
 }

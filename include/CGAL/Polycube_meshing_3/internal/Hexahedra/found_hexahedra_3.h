@@ -227,7 +227,9 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   set_images(body, mesh);
   found.mesh = hexahedron_soup_of(mesh);
   set_facet_references(body, interfaces, mesh, found.mesh);
-  set_features(Body_complex_3(body.soup, body.points), mesh, best.edge, found.mesh);
+  const Body_complex_3 complex(body.soup, body.points);
+  result.features = kept_features_3(complex, body.surface, mesh, best.edge);
+  set_features(complex, mesh, best.edge, found.mesh);
   const Largest_distance_3 farthest = boundary_distance_3(body.surface, mesh);
   result.boundary_distance = farthest.distance;
   result.patches = patches_of(mesh, found.mesh.facet_references);
@@ -251,7 +253,6 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   Found_hexahedra_3 found;
   Hexahedral_mesh_result& result = found.result;
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
-  result.features = best.result.features;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
     evaluate(problem, body, interfaces, best, found);

@@ -252,20 +252,17 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, cons
   return result;
 }
 
-// Bounds of hexahedra with features: of the least scaled Jacobian, and of the distance from the boundary.
-struct Bounds_of_hexahedra_3
+// Returns whether hexahedra with features may replace others: they are not poor, and no boundary is too far from the other one.
+inline bool may_replace(const Best_hexahedra_3& others, const Hexahedral_mesh_result& with_features, const double minimum)
 {
-  double scaled_jacobian;
-  double distance;
+  return is_at_least(with_features, minimum)
+    && with_features.boundary_distance <= (std::max)(largest_distance * others.edge, others.result.boundary_distance);
+}
 
-  bool are_met_by(const Hexahedral_mesh_result& result) const
-  { return is_at_least(result, scaled_jacobian) && result.boundary_distance <= distance; }
-};
-
-// Returns hexahedra with more features of the body than others have; none if such ones do not meet the bounds.
+// Returns hexahedra with more features of the body than others have; none if these may not replace the others.
 inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
                                                                  const Body_with_domain_3& body, const Best_hexahedra_3& others,
-                                                                 const Bounds_of_hexahedra_3& bounds, const Budget& budget)
+                                                                 const Budget& budget)
 {
   const Body_complex_3 complex(body.soup, body.points);
   const Hexahedral_mesh_features before = kept_features_3(complex, body.surface, others.mesh, others.edge);
@@ -275,7 +272,7 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
   const Body_complex_3 with_room(body.soup, body.points, width_without_room * others.edge);
   Best_hexahedra_3 result
     = fitted_to_features_3(with_room, body.surface, others.mesh, others.edge, problem.solver, body.is_parallel, budget);
-  if(!bounds.are_met_by(result.result)
+  if(!may_replace(others, result.result, problem.minimum_scaled_jacobian)
      || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before))
     return std::nullopt;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());

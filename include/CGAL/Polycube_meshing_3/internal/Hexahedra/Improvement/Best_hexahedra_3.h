@@ -14,6 +14,7 @@
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/sentence.h>
 
 #include <numeric>
@@ -21,10 +22,9 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Bounds of the least scaled Jacobian, all guesses: the first one ends the search, below the second one other layers are
-// tried, corners below the third one are almost flat, which steps avoid, no gain makes up for one below the fourth, and solvers of
-// finite elements take no less than the last.
+// tried, corners below the third one are almost flat, which steps avoid, and no gain makes up for one below the last.
 constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, flat_scaled_jacobian = 0.1,
-                 bad_scaled_jacobian = 0.05, usable_scaled_jacobian = 0.01;
+                 bad_scaled_jacobian = 0.05;
 
 // Distances, in edges: one of boundaries that needs no improvement, and the largest one of boundaries and interfaces that is no
 // error. Both are guesses.
@@ -76,8 +76,9 @@ inline std::pair<std::size_t, std::size_t> inverted(const Hexahedral_mesh_result
 { return { result.number_of_inverted_corners, result.number_of_inverted_hexahedra }; }
 
 // Returns whether a mesh is better than another one, by the first of these that differ: fewer inverted corners, fewer inverted
-// hexahedra, a larger least scaled Jacobian if this is bad, nothing of the body left out that is longer than an edge, and the sum
-// of the least scaled Jacobian, up to the sufficient one, and the mean, from which distances of boundaries, in edges, are taken.
+// hexahedra, a larger least scaled Jacobian if this is not usable, boundaries that are not too far from each other, a larger least
+// scaled Jacobian if this is bad, and the sum of the least scaled Jacobian, up to the sufficient one, and the mean, from which
+// distances of boundaries, in edges, are taken.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
@@ -86,7 +87,8 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
     const double least = result.minimum_scaled_jacobian, distance = result.boundary_distance;
     const double quality = (std::min)(least, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
                            - price * std::clamp(distance / edge - sufficient_distance, 0., 1.);
-    return std::make_tuple(inverted(result), -(std::min)(least, bad_scaled_jacobian), !(distance <= edge), -quality);
+    return std::make_tuple(inverted(result), -(std::min)(least, usable_scaled_jacobian), !(distance <= largest_distance * edge),
+                           -(std::min)(least, bad_scaled_jacobian), -quality);
   };
   return badness(a) < badness(b);
 }

@@ -71,6 +71,13 @@ private:
     return m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
   }
 
+  // Returns whether a corner is so flat that it holds up steps for all vertices.
+  bool is_held_up() const
+  {
+    constexpr double nearly_flat = 0.001; // a guess
+    return std::abs(m_result.minimum_scaled_jacobian) <= nearly_flat;
+  }
+
   void evaluate()
   {
     m_result = evaluated_hexahedra(m_hexahedra.mesh(), m_has_padding);
@@ -95,7 +102,6 @@ private:
   {
     constexpr int number_of_first_rounds = 3;                // a guess
     constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
-    constexpr double nearly_flat = 0.001;                    // a guess; scaled Jacobian that holds up steps for all vertices
     std::size_t fewest_inverted_corners = m_result.number_of_inverted_corners;
     for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < (has_few_inverted_corners() ? patience : patience - 1)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
@@ -106,7 +112,7 @@ private:
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
         smooth(usual_price);
       const double mean = m_result.mean_scaled_jacobian;
-      if(std::abs(m_result.minimum_scaled_jacobian) > nearly_flat || !(inverted(m_result) < inverted(before)))
+      if(!is_held_up() || !(inverted(m_result) < inverted(before)))
       {
         m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
                             round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
@@ -135,7 +141,7 @@ private:
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
       const double before = m_result.minimum_scaled_jacobian;
-      if(round > 0)
+      if(round > 0 && !is_held_up())
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();

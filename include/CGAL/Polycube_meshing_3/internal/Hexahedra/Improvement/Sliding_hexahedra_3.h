@@ -152,22 +152,27 @@ public:
   void smooth(const double target, const double price_of_uncovered)
   { smooth_hexahedra_3(m_corners, m_positions, m_covered, target, price_of_uncovered, m_budget, m_mesh); }
 
-  // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, leave the lines, on which corners
-  // perhaps cannot become better. Returns whether any vertex was on a line.
+  // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, and those of hexahedra that are
+  // inverted inside alone, leave the lines, on which they perhaps cannot become better. Returns whether any vertex was on a line.
   bool leave_lines(const double bound)
   {
     bool is_on_line = false;
+    const auto leave = [&](const std::size_t v)
+    {
+      Position_3& position = m_positions[v];
+      if(position.freedom != Freedom_3::LINE && position.freedom != Freedom_3::NONE)
+        return;
+      position.freedom = Freedom_3::SURFACE;
+      if(position.is_on_boundary) // also where it leaves an interface there
+        position.surface = &boundary();
+      is_on_line = true;
+    };
     for(const std::array<std::size_t, 4>& corner : m_corners.corners())
       if(!is_positive_corner(m_mesh.points, corner) || scaled_jacobian(edge_matrix(m_mesh.points, corner)) < bound)
-        for(const std::size_t v : corner)
-          if(Position_3& position = m_positions[v];
-             position.freedom == Freedom_3::LINE || position.freedom == Freedom_3::NONE)
-          {
-            position.freedom = Freedom_3::SURFACE;
-            if(position.is_on_boundary) // also where it leaves an interface there
-              position.surface = &boundary();
-            is_on_line = true;
-          }
+        std::for_each(corner.begin(), corner.end(), leave);
+    for(const std::array<std::size_t, 8>& hexahedron : m_mesh.cells)
+      if(!is_positive_hexahedron(m_mesh.points, hexahedron) && has_positive_corners(hexahedron))
+        std::for_each(hexahedron.begin(), hexahedron.end(), leave);
     return is_on_line;
   }
 
@@ -189,6 +194,14 @@ private:
   {
     return std::count_if(m_corners.corners().begin(), m_corners.corners().end(),
                          [&](const std::array<std::size_t, 4>& corner) { return !is_positive_corner(points, corner); });
+  }
+
+  bool has_positive_corners(const std::array<std::size_t, 8>& hexahedron) const
+  {
+    bool result = true;
+    for_each_corner(hexahedron, [&](const std::array<std::size_t, 4>& corner)
+                    { result = result && is_positive_corner(m_mesh.points, corner); });
+    return result;
   }
 
   bool are_positive(const std::vector<Vector_3>& points) const { return number_of_inverted_corners(points) == 0; }
