@@ -15,6 +15,9 @@ change them; those until the first valid map are what the program says, less the
 program gets --time-limit seconds for each case. Memory is the largest that was in use. Tables are in Markdown, and so is the page:
 what was run, on which machine, all results, and each case that parameterize_mesh_file does not solve. The page begins with the
 cases in which another program is better than parameterize_mesh_file.
+
+PREFIX.json of --output is written after each run. Runs that it has already are not repeated, so that a comparison which was ended
+goes on.
 """
 import argparse
 import datetime
@@ -131,9 +134,18 @@ def run_command(words, folder, time_limit):
         return output.read(), usage, is_ended
 
 
+def needs_vertices(driver, case):
+    """Whether the driver proves, in 20 seconds, that no map exists with the connectivity of the source."""
+    with tempfile.TemporaryDirectory() as folder:
+        words = [driver, case.source, case.target, "--quiet", "--boundary", "fixed", "--time-limit", "20",
+                 "--output", f"{folder}/output.mesh"]
+        process = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+    return bool(re.search("No map with this connectivity meets this boundary|--refine splits such cells", process.stdout))
+
+
 def run(name, command, first_valid, case, time_limit, pool):
     """One row of the table. Meshes are read in another process: a program has at least the memory of the one that starts it."""
-    row = {"case": case.name, "program": name}
+    row = {"case": case.name, "program": name, "date": str(datetime.date.today())}
     with tempfile.TemporaryDirectory() as path:
         folder = Path(path)
         paths = {"source": case.source, "target": case.target, "output": folder / "output.mesh",
@@ -149,6 +161,8 @@ def run(name, command, first_valid, case, time_limit, pool):
         is_late = row["seconds"] > 0.9 * time_limit  # as if a child was ended; the system counts in ticks
         if row["status"] == "no map" and (is_ended or is_late):
             row["status"] = f"not within {time_limit} s"
+        if name == OURS:
+            row["needs_vertices"] = not case.is_free and needs_vertices(words[0], case)
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
             row["seconds_to_first_valid"] = said * row["seconds"] / elapsed
@@ -164,17 +178,28 @@ def number_in_output(regex):
     return find
 
 
-def is_proved_to_have_no_map(driver, case):
-    """Whether the driver proves it for the connectivity of the source, in 20 seconds."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = [driver, case.source, case.target, "--quiet", "--boundary", "fixed", "--time-limit", "20",
-                 "--output", f"{folder}/output.mesh"]
-        process = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    return "No map with this connectivity meets this boundary" in process.stdout
-
-
 def number_in_report(_, folder):
     return json.loads((folder / "report.json").read_text())["seconds_to_flip_free"]
+
+
+def rows_of_set(name, cases, programs, tables, filename, run_it):
+    """A row for each case and program, unless the program takes no such case, or adds no vertices and the case needs some. The file
+    of all tables has each row from the end of its run on, and rows that it has already are taken from there."""
+    known = {(row["case"], row["program"]): row for row in tables.get(name, {"cases": []})["cases"]}
+    rows = []
+    for case in cases:
+        for program, (command, _, takes) in programs.items():
+            key, ours = (case.name, program), known.get((case.name, OURS), {})
+            is_in_vain = ours.get("needs_vertices") and "{refined}" not in command
+            if not re.search(takes, f"{name}/{case.name}") or is_in_vain:
+                continue
+            if key not in known:
+                known[key] = run_it(program, case)
+                tables[name] = {"cases": list(known.values())}
+                if filename:
+                    write_json(filename, tables)
+            rows.append(known[key])
+    return rows
 
 
 def summary(rows, programs):
@@ -185,6 +210,8 @@ def summary(rows, programs):
     result = []
     for name in programs:
         own = [row for row in rows if row["program"] == name]
+        if not own:
+            continue
         line = {"program": name, "cases": len(own), "exact": sum(row["status"] == "exact" for row in own),
                 "flip_free": sum("angle_mean" in row for row in own), "common": len(common)}
         for column in COLUMNS[3:]:
@@ -224,31 +251,31 @@ def table(rows, columns):
 
 
 def machine():
-    """A sentence for each of what results depend on."""
+    """What times depend on."""
     name = re.findall(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text())
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 1e9
-    return [f"Machine: {os.cpu_count()} of {name[0] if name else platform.processor()}, {memory:.0f} GB, {platform.platform()}.",
-            f"Date: {datetime.date.today()}."]
+    return f"Machine: {os.cpu_count()} of {name[0] if name else platform.processor()}, {memory:.0f} GB, {platform.platform()}."
 
 
 def page(programs, versions, sets):
-    """Everything that was run: `sets` has the name, rows, number of cases left out, and cases without a map of each."""
-    lines = [*machine(), *(f"{name}: {versions[name]}" if name in versions else f"{name}: `{command}`"
-                           for name, (command, _) in programs.items())]
+    """Everything that was run: `sets` has the name, rows, and number of cases left out of each."""
+    lines = [machine(), *(f"{name}: {versions[name]}" if name in versions else f"{name}: `{command}`"
+                           for name, (command, *_) in programs.items())]
     text = "# Maps of Public Sets {#PkgVolumeMeshParameterizationPublicSets}\n\n" + INTRODUCTION
     text += "".join(f"- {line}\n" for line in lines) + "\n"
     lost = [{"set": name, **line} for name, rows, *_ in sets for line in losses(rows, programs)]
     if lost:
         text += f"The number of cases in which another program is better than {OURS}, of those that both map:\n\n"
         text += table(lost, list(lost[0]))
-    for name, rows, number_left_out, without_map in sets:
-        lines = summary(rows, programs)
-        text += f"## {name}\n\n" + table(lines, list(lines[0]))
+    for name, rows, number_left_out in sets:
+        without_map = [row["case"] for row in rows if row.get("needs_vertices")]
+        lines, dates = summary(rows, programs), sorted({row["date"] for row in rows})
+        text += f"## {name}\n\nRun on {' and '.join(dates)}.\n\n" + table(lines, list(lines[0]))
         if number_left_out:
             text += f"{number_left_out} cases are left out, because cells of their source are flat or inverted.\n\n"
         if without_map:
-            text += f"{len(without_map)} cases are proved to have no map with their connectivity: {', '.join(without_map)}.\n" \
-                    "They are no failures of programs that add no vertices.\n\n"
+            text += f"Cases that are proved to have no map with their connectivity: {', '.join(without_map)}.\n" \
+                    "They are not among the cases of programs that add no vertices.\n\n"
         lost = [row for row in rows if row["program"] == OURS and row["status"] != "exact"]
         text += f"Not exact by {OURS}: {len(lost)}.\n\n" + (table(lost, ["case", "status", "message"]) if lost else "")
         text += table(rows, COLUMNS)
@@ -268,46 +295,50 @@ def main():
     parser.add_argument("driver", help="the program parameterize_mesh_file")
     parser.add_argument("--set", action="append", required=True, metavar="NAME=FOLDER",
                         help="a folder of " + ", ".join(READERS))
-    parser.add_argument("--filter", default="", help="only cases whose name contains this regular expression")
+    parser.add_argument("--filter", default="", metavar="REGEX",
+                        help="only cases that this regular expression finds in SET/CASE")
     parser.add_argument("--options", default="", help="options of parameterize_mesh_file")
     parser.add_argument("--external", action="append", default=[], metavar="NAME=COMMAND", help="another program")
     parser.add_argument("--first-valid", action="append", default=[], metavar="NAME=REGEX",
                         help="seconds until no cell was inverted, in the output of that program; the last match counts")
+    parser.add_argument("--takes", action="append", default=[], metavar="NAME=REGEX",
+                        help="only these cases of SET/CASE for that program, as it cannot solve others")
     parser.add_argument("--version", action="append", default=[], metavar="NAME=TEXT",
                         help="what the page says of that program, in place of its command")
     parser.add_argument("--time-limit", type=int, default=120, metavar="SECONDS",
                         help="of the processor, for each program and case (%(default)s)")
-    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json")
+    parser.add_argument("--output", metavar="PREFIX", help="write PREFIX.csv and PREFIX.json, after each run")
     parser.add_argument("--page", metavar="FILE", help="write a page with all results")
     arguments = parser.parse_args()
 
-    regexes = pairs(parser, arguments.first_valid)
+    regexes, takes = pairs(parser, arguments.first_valid), pairs(parser, arguments.takes)
     ours = f"{shlex.quote(arguments.driver)} {{source}} {{target}} --quiet --output {{output}}" \
            f" --refined-source {{refined}} --report {{report}} {arguments.options}"
-    programs = {OURS: (ours, number_in_report)}
+    programs = {OURS: (ours, number_in_report, "")}
     for name, command in pairs(parser, arguments.external).items():
-        programs[name] = (command, number_in_output(regexes.get(name)))
+        programs[name] = (command, number_in_output(regexes.get(name)), takes.get(name, ""))
 
     version = subprocess.run([arguments.driver, "--version"], stdout=subprocess.PIPE, text=True, check=False).stdout.split("\n")[0]
-    versions = {OURS: f"{version}, `{ours.replace(arguments.driver, OURS)}`", **pairs(parser, arguments.version)}
+    versions = {OURS: version, **pairs(parser, arguments.version)}
+    versions[OURS] += f", `{ours.replace(arguments.driver, OURS)}`"
+    filename = Path(f"{arguments.output}.json") if arguments.output else None
+    tables = json.loads(filename.read_text()) if filename and filename.exists() else {}
     sets = []
     with tempfile.TemporaryDirectory() as folder, ProcessPoolExecutor(1) as pool:
         for name, source in pairs(parser, arguments.set).items():
             if name not in READERS:
                 parser.error(f"there is no set '{name}'")
             cases, number_left_out = pool.submit(cases_of_set, name, source, folder).result()
-            cases = [case for case in cases if re.search(arguments.filter, case.name)]
+            cases = [case for case in cases if re.search(arguments.filter, f"{name}/{case.name}")]
             if not cases:
                 sys.exit(f"there is no case in the folder {source}")
-            rows = [run(program, command, first_valid, case, arguments.time_limit, pool)
-                    for case in cases for program, (command, first_valid) in programs.items()]
-            without_map = [case.name for case in cases if not case.is_free and is_proved_to_have_no_map(arguments.driver, case)]
-            sets.append((name, rows, number_left_out, without_map))
+            rows = rows_of_set(name, cases, programs, tables, filename, lambda program, case: run(
+                program, *programs[program][:2], case, arguments.time_limit, pool))
+            sets.append((name, rows, number_left_out))
             print(table(rows, COLUMNS) + table(summary(rows, programs), list(summary(rows, programs)[0])), flush=True)
     if arguments.output:
         write_csv(arguments.output + ".csv", [{"set": name, **row} for name, rows, *_ in sets for row in rows])
-        write_json(arguments.output + ".json",
-                   {name: {"cases": rows, "summary": summary(rows, programs)} for name, rows, *_ in sets})
+        write_json(filename, {**tables, **{name: {"cases": rows, "summary": summary(rows, programs)} for name, rows, *_ in sets}})
     if arguments.page:
         Path(arguments.page).write_text(page(programs, versions, sets))
 

@@ -4,6 +4,7 @@ A set is a name and a folder:
 
 - volmap: MODEL.mesh with MODEL_DOMAIN.txt (VOLMAP, and the meshes that run_models.py keeps; CuboidBlocks likewise), taken as
   they are
+- channels: the same form, as write_channels.py makes it
 - pairs: NAME_source.mesh and NAME_polycube.mesh, taken as they are
 - wrapd: folders with *_rest and *_soln of TetGen (.node, .ele): the boundary of each is the target of the other
 - handles: the same folders, with *_handles.txt: the vertices that are moved to their positions in *_soln, and all others are free
@@ -127,7 +128,11 @@ def cases_of_poses(source, output):
                 yield write_case(output, pose.stem, points, cells, targets)
 
 
-READERS = {"volmap": lambda source, _: find_cases(volmap=source), "pairs": lambda source, _: find_cases(pairs=source),
+def cases_of_volmap(source, _):
+    return find_cases(volmap=source)
+
+
+READERS = {"volmap": cases_of_volmap, "channels": cases_of_volmap, "pairs": lambda source, _: find_cases(pairs=source),
            "wrapd": cases_of_wrapd, "handles": cases_of_handles, "hexahedra": cases_of_hexahedra, "poses": cases_of_poses}
 
 

@@ -76,6 +76,27 @@ def check_forms(script, driver, folder):
             assert len(set(line.split("|"))) == len(line.split("|")) - 1, line  # each column has a name of its own
 
 
+def check_flat_cell(script, driver, folder):
+    """A cube of six cells, whose targets make one flat. It is not given to programs that add no vertices. A second comparison
+    keeps the rows of the first one."""
+    points = list(itertools.product(range(2), repeat=3))
+    cells = [(0, *pair, 7) for pair in ((1, 5), (5, 4), (4, 6), (6, 2), (2, 3), (3, 1))]
+    (folder / "flat").mkdir()
+    write_MEDIT(folder / "flat/cube.mesh", points, "Tetrahedra", cells)
+    targets = [*points[:4], (0.5, 0.3, 0.5), *points[5:]]
+    (folder / "flat/cube_flat.txt").write_text("".join(f"{v} {x} {y} {z}\n" for v, (x, y, z) in enumerate(targets)))
+    words = [sys.executable, script, driver, "--set", f"volmap={folder / 'flat'}", "--output", folder / "flat_table"]
+    for name, command, takes in (("keeps", "false", ""), ("refines", "false {refined}", ""), ("other", "false", "^poses/")):
+        words += ["--external", f"{name}={command}", "--takes", f"{name}={takes}"]
+
+    def rows_of_run(options):
+        subprocess.run([*words, f"--options={options}"], check=True, stdout=subprocess.DEVNULL)
+        return json.loads((folder / "flat_table.json").read_text())["volmap"]["cases"]
+    rows = rows_of_run("--refine")
+    assert [(row["program"], row["status"]) for row in rows] == [("parameterize_mesh_file", "exact"), ("refines", "no map")], rows
+    assert rows_of_run("--help") == rows
+
+
 def main(script, driver, data):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -96,6 +117,7 @@ def main(script, driver, data):
         table = json.loads((folder / "table.json").read_text())["volmap"]
         write_sets(folder)
         check_forms(script, driver, folder)
+        check_flat_cell(script, driver, folder)
 
     ours, twin, *failing = table["cases"]
     assert [row["status"] for row in (ours, twin, *failing)] == ["exact", "exact", "no map", "not within 2 s"], table["cases"]

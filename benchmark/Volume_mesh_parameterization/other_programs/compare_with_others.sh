@@ -2,7 +2,7 @@
 # Builds the other programs of the page on public sets in FOLDER, and compares them by compare_programs.py.
 #
 #   compare_with_others.sh PARAMETERIZE_MESH_FILE FOLDER --set NAME=FOLDER ... [options of compare_programs.py]
-#   compare_with_others.sh run PROGRAM SOURCE TARGET OUTPUT REFINED       (as compare_programs.py calls it)
+#   compare_with_others.sh run PROGRAM SOURCE TARGET OUTPUT [REFINED]     (as compare_programs.py calls it)
 #
 # The first command needs git, cmake, NLopt, SuiteSparse, CGAL and GMP. COMMITS has the version of each program.
 set -euo pipefail
@@ -33,7 +33,7 @@ options_of()
   fi
 }
 
-run() # PROGRAM SOURCE TARGET OUTPUT REFINED
+run() # PROGRAM SOURCE TARGET OUTPUT [REFINED]
 {
   bin=$(dirname "$here")/bin
   [ -d "${PROGRAMS:-$bin}" ] && bin=${PROGRAMS:-$bin}
@@ -113,11 +113,16 @@ mkdir -p "$2"
 folder=$(realpath "$2")
 shift 2
 (cd "$folder" && build)
-externals=()
+# TLC, FFM and Galaxy Maps need the whole boundary, and Galaxy Maps a star-shaped target.
+declare -A takes=([TLC]='^(?!handles/)' [FFM]='^(?!handles/)' [GalaxyMaps]='^(volmap|channels)/')
+version=$(git -C "$(dirname "$here")" log -1 --format='commit %h of %cs')
+externals=(--version "parameterize_mesh_file=$version")
 while read -r name repository commit; do
   [ -f "$folder/bin/$name" ] || continue
   date=$(git -C "$folder/$name" log -1 --format=%cs)
-  externals+=(--external "$name=env PROGRAMS=$folder/bin $here run $name {source} {target} {output} {refined}"
-    --first-valid "$name=untangled at (\\S+) s" --version "$name=$repository at $commit of $date")
+  refined=$([ "$name" != GalaxyMaps ] || echo "{refined}") # the others add no vertices
+  externals+=(--external "$name=env PROGRAMS=$folder/bin $here run $name {source} {target} {output} $refined"
+    --first-valid "$name=untangled at (\\S+) s" --takes "$name=${takes[$name]:-}"
+    --version "$name=$repository at $commit of $date")
 done <<< "$COMMITS"
 exec "$(dirname "$here")/../compare_programs.py" "$driver" --options "--refine --threads 1" "${externals[@]}" "$@"
