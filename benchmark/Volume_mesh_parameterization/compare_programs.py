@@ -134,13 +134,13 @@ def run_command(words, folder, time_limit):
         return output.read(), usage, is_ended
 
 
-def needs_vertices(driver, case):
-    """Whether the driver proves, in 20 seconds, that no map exists with the connectivity of the source."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = [driver, case.source, case.target, "--quiet", "--boundary", "fixed", "--time-limit", "20",
-                 "--output", f"{folder}/output.mesh"]
-        process = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-    return bool(re.search("No map with this connectivity meets this boundary|--refine splits such cells", process.stdout))
+def needs_vertices(driver, case, time_limit):
+    """Whether the driver proves, in this processor time, that no map exists with the connectivity of the source."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        words = [driver, case.source, case.target, "--quiet", "--boundary", "fixed", "--output", folder / "output.mesh"]
+        output, *_ = run_command(words, folder, time_limit)
+    return bool(re.search("No map with this connectivity meets this boundary|--refine splits such cells", output))
 
 
 def run(name, command, first_valid, case, time_limit, pool):
@@ -162,7 +162,7 @@ def run(name, command, first_valid, case, time_limit, pool):
         if row["status"] == "no map" and (is_ended or is_late):
             row["status"] = f"not within {time_limit} s"
         if name == OURS:
-            row["needs_vertices"] = not case.is_free and needs_vertices(words[0], case)
+            row["needs_vertices"] = not case.is_free and needs_vertices(words[0], case, time_limit)
         said = first_valid(output, folder) if row["status"] in ("exact", "flip-free") else None
         if said is not None:
             row["seconds_to_first_valid"] = said * row["seconds"] / elapsed
@@ -270,7 +270,7 @@ def page(programs, versions, sets):
     for name, rows, number_left_out in sets:
         without_map = [row["case"] for row in rows if row.get("needs_vertices")]
         lines, dates = summary(rows, programs), sorted({row["date"] for row in rows})
-        text += f"## {name}\n\nRun on {' and '.join(dates)}.\n\n" + table(lines, list(lines[0]))
+        text += f"## {name}\n\nDates of runs: {', '.join(dates)}.\n\n" + table(lines, list(lines[0]))
         if number_left_out:
             text += f"{number_left_out} cases are left out, because cells of their source are flat or inverted.\n\n"
         if without_map:
