@@ -129,11 +129,12 @@ vertices by prices that grow. If this does not end, curves are given up one by o
 boundary, and sheets are inserted around patches in which a quadrangle would have two edges on a smooth curve. If a curve has more
 bends than its path has edges, sheets of hexahedra across the path are cut in two. So are sheets where curves were given up because
 others left no room, if fewer curves are given up then. These add at most half of the hexahedra. Vertices stay at bends. All
-others move along curves and in patches. If a scaled Jacobian would be below 0.01, vertices of such corners leave curves. The mesh
-is taken if it is valid, no scaled Jacobian is below this bound, it is at most half an edge off the body, and it keeps more
-features. Otherwise, the mesh remains as it was. This is tried with hexahedra that were only untangled, with the bound 0.05, and if
-that fails, once more with the best ones, whose distance is the bound if it is larger. `Hexahedral_mesh_result::features` lists
-what is kept and what is not, and the message names a place. The mesh has the edges along curves and the corners that are kept.
+others move along curves and in patches. If a scaled Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices
+leave curves. The mesh is taken if it is valid, no scaled Jacobian is below `minimum_scaled_jacobian`, its boundary is at most
+half an edge off that of the body, or no farther than before, and it keeps more features. This is tried with the first valid
+hexahedra, and if it fails, once more with the best ones. If both fail, the mesh remains as it was.
+`Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The mesh has the edges
+along curves and the corners that are kept.
 
 <b>Validity</b>. The 27 Bernstein coefficients of the determinant bound its sign. If they leave the sign open, the hexahedron is
 subdivided (Johnen, Weill and Remacle, Robust and efficient validation of the linear hexahedral element, 2017).

@@ -72,15 +72,6 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
   Best_hexahedra_3 best
     = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {}, staircases };
   bool may_fit = interfaces.empty();
-  const auto fit_to_features = [&]
-  {
-    if(!may_fit || !best.result.has_valid_mesh)
-      return false;
-    may_fit = false; // it takes as long as all else
-    if(auto with_features = hexahedra_with_features_3(problem, body, best, budget))
-      best = std::move(*with_features);
-    return best.has_features;
-  };
   const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
                                      other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
   for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
@@ -106,11 +97,13 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       Hexahedra_improvement_3 improvement(hexahedra, !layers.empty(), budget, best);
       if(!improvement.untangle(may_leave_surface))
         continue;
-      if(fit_to_features())
-        return best;
+      if(may_fit && best.result.has_valid_mesh)
+      {
+        may_fit = false; // it takes as long as all else
+        if(const auto with_features = hexahedra_with_features_3(problem, body, best, budget))
+          return *with_features;
+      }
       improvement.polish();
-      if(fit_to_features())
-        return best;
     }
   }
   return best;
@@ -165,6 +158,9 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
+  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features) // others of the same body may have more room
+    if(auto with_features = hexahedra_with_features_3(problem, body, best, budget))
+      best = std::move(*with_features);
   put_on_planes(body.surface, best.mesh);
   return found_hexahedra_3(problem, body, interfaces, best, budget);
 }

@@ -76,9 +76,9 @@ inline std::pair<std::size_t, std::size_t> inverted(const Hexahedral_mesh_result
 { return { result.number_of_inverted_corners, result.number_of_inverted_hexahedra }; }
 
 // Returns whether a mesh is better than another one, by the first of these that differ: fewer inverted corners, fewer inverted
-// hexahedra, a larger least scaled Jacobian if this is not usable, boundaries that are not too far from each other, a larger least
-// scaled Jacobian if this is bad, and the sum of the least scaled Jacobian, up to the sufficient one, and the mean, from which
-// distances of boundaries, in edges, are taken.
+// hexahedra, a larger least scaled Jacobian if this is not usable, boundaries that are not too far from each other, or at most an
+// edge, a larger least scaled Jacobian if this is bad, and the sum of the least scaled Jacobian, up to the sufficient one, and the
+// mean, from which distances of boundaries, in edges, are taken.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
@@ -88,7 +88,7 @@ inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_res
     const double quality = (std::min)(least, sufficient_scaled_jacobian) + result.mean_scaled_jacobian
                            - price * std::clamp(distance / edge - sufficient_distance, 0., 1.);
     return std::make_tuple(inverted(result), -(std::min)(least, usable_scaled_jacobian), !(distance <= largest_distance * edge),
-                           -(std::min)(least, bad_scaled_jacobian), -quality);
+                           !(distance <= edge), -(std::min)(least, bad_scaled_jacobian), -quality);
   };
   return badness(a) < badness(b);
 }
