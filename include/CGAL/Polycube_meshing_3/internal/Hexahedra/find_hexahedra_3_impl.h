@@ -158,7 +158,7 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
-  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features) // others of the same body may have more room
+  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features) // may have room that the first valid ones lacked
     if(auto with_features = hexahedra_with_features_3(problem, body, best, budget))
       best = std::move(*with_features);
   put_on_planes(body.surface, best.mesh);

@@ -35,8 +35,8 @@ public:
       polish();
   }
 
-  // Moves vertices until few corners are inverted. If vertices may leave the surface, they do so before all else, and if corners
-  // stay inverted there, all else is in vain. Returns whether it is not.
+  // Moves vertices until few corners are inverted. If vertices may leave the surface, they do so before all else. Returns false
+  // if corners stay inverted there: all else would be in vain.
   bool untangle(const bool may_leave_surface)
   {
     evaluate();
