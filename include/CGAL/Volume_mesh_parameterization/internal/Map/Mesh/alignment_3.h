@@ -116,6 +116,13 @@ inline std::optional<double> stretch_between_conditions_3(const Numbered_mesh_3&
   return median_ratio(std::move(ratios));
 }
 
+// Returns the rotation about a vector by its length.
+inline Matrix_3 rotation_3(const Vector_3& turn)
+{
+  const double angle = turn.norm();
+  return angle > 0 ? Matrix_3(Eigen::AngleAxisd(angle, Eigen::Vector3d(turn / angle)).toRotationMatrix()) : Matrix_3::Identity();
+}
+
 using Vector_6 = Small_matrix<6, 1>;
 using Matrix_6 = Small_matrix<6, 6>;
 
@@ -170,9 +177,7 @@ inline double fit_to_conditions_3(const Numbered_mesh_3& mesh, Similarity_3& sim
     if(!(d.norm() > 1e-12))
       break;
     d *= (std::min)(1., 0.5 / d.head<3>().norm()); // no turn is larger than half a radian
-    if(const double angle = d.head<3>().norm(); angle > 0)
-      similarity.rotation
-        = Eigen::AngleAxisd(angle, d.head<3>() / angle).toRotationMatrix() * Eigen::Matrix3d(similarity.rotation);
+    similarity.rotation = rotation_3({ d[0], d[1], d[2] }) * similarity.rotation;
     similarity.image_center += Vector_3(unit * d.tail<3>());
   }
   return squares;

@@ -12,9 +12,14 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
-#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/alignment_3.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Jacobi>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -28,7 +33,8 @@ public:
   // Returns the number of directions that are open at some positions.
   int number(const Matrix3Xd& positions) const
   {
-    return static_cast<int>(solved(Square::Identity(), System(*this, positions).conditions).second.cols());
+    const System system(*this, positions);
+    return static_cast<int>(std::lround(solved(Square::Identity(), system.conditions).second.trace()));
   }
 
   // Returns the positions moved such that the sum of the squared distances to the source is least, first without the centers of
@@ -49,95 +55,128 @@ public:
       }
       if(!(d.norm() > rounding))
         break;
-      positions = system.moved(positions, d * (std::min)(1., 0.5 / d.norm())); // no turn is larger than half a radian
+      positions = moved(system.similarity(d * (std::min)(1., 0.5 / d.norm())), positions); // no turn is larger than half a radian
     }
     return positions;
   }
 
 private:
-  using Motion = Eigen::Matrix<double, 7, 1>;
-  using Square = Eigen::Matrix<double, 7, 7>;
-  using Directions = Eigen::Matrix<double, 7, Eigen::Dynamic>;
+  using Motion = Small_matrix<7, 1>;
+  using Square = Small_matrix<7, 7>;
+
+  using Velocities = std::array<Vector_3, 7>; // of a point, for each direction
 
   struct Normal_equations
   {
     Square matrix = Square::Zero();
     Motion right_side = Motion::Zero();
+
+    // Adds those of a point that has some way to go in the range of a projector.
+    void add(const Velocities& J, const Matrix_3& projector, const Vector_3& way)
+    {
+      for(int i = 0; i < 7; ++i)
+      {
+        const Vector_3 part = projector * J[i];
+        right_side[i] += part.dot(way);
+        for(int j = 0; j < 7; ++j)
+          matrix(i, j) += part.dot(J[j]);
+      }
+    }
   };
 
-  // Returns the least solution in the space of some orthonormal directions, and those directions that are left open.
-  static std::pair<Motion, Directions> solved(const Directions& space, const Normal_equations& equations)
+  // Returns the least solution in a space, and the space of directions that are left open, both spaces as orthogonal projectors.
+  static std::pair<Motion, Square> solved(const Square& space, const Normal_equations& equations)
   {
     constexpr double rounding = 1e-12; // a guess; relative to the trace
-    const Eigen::Index n = space.cols();
     const double trace = equations.matrix.trace();
-    Square reduced = (trace > 0 ? 2 * trace : 1.) * Square::Identity(); // the largest eigenvalues stand for no direction
-    reduced.topLeftCorner(n, n) = space.transpose() * equations.matrix * space;
-    const Eigen::SelfAdjointEigenSolver<Square> solver(reduced);
-    const Eigen::Index number = (solver.eigenvalues().array() <= rounding * trace).count(), others = n - number;
-    const Directions open = space * solver.eigenvectors().topLeftCorner(n, number);
-    const Directions met = space * solver.eigenvectors().block(0, number, n, others);
-    Motion result = Motion::Zero();
-    if(others > 0)
-      result = met * (met.transpose() * equations.right_side).cwiseQuotient(solver.eigenvalues().segment(number, others));
-    return { result, open };
+    const Square reduced = space * equations.matrix * space; // other directions get the largest eigenvalues
+    const auto [values, vectors] = eigen_decomposition(reduced + (trace > 0 ? 2 * trace : 1.) * (Square::Identity() - space));
+    std::pair<Motion, Square> result = { Motion::Zero(), Square::Zero() };
+    for(int i = 0; i < 7; ++i)
+    {
+      const Motion v = vectors.col(i);
+      if(values[i] <= rounding * trace)
+        result.second += v * v.transpose();
+      else
+        result.first += v.dot(space * equations.right_side) / values[i] * v;
+    }
+    return result;
   }
 
-  static Eigen::Vector3d vector(const Vector_3& v) { return v; }
+  // Returns the eigenvalues and eigenvectors by Jacobi rotations, which converge quadratically. Compilers take several seconds for
+  // the solver of Eigen.
+  static std::pair<Motion, Square> eigen_decomposition(Square A)
+  {
+    constexpr int number_of_sweeps = 12; // a guess, twice what large matrices need
+    Square vectors = Square::Identity();
+    for(int sweep = 0; sweep < number_of_sweeps; ++sweep)
+      for(int q = 1; q < 7; ++q)
+        for(int p = 0; p < q; ++p)
+          if(Eigen::JacobiRotation<double> rotation; rotation.makeJacobi(A, p, q))
+          {
+            A.applyOnTheLeft(p, q, rotation.adjoint());
+            A.applyOnTheRight(p, q, rotation);
+            vectors.applyOnTheRight(p, q, rotation);
+          }
+    return { A.diagonal(), vectors };
+  }
 
   // The normal equations of the distances to the conditions and to the source, about the center of the image.
   struct System
   {
-    Eigen::Vector3d center;
+    Vector_3 center;
     double radius;
     Normal_equations conditions, shape, center_of_source;
 
     System(const Open_motions_3& motions, const Matrix3Xd& positions) : center(positions.rowwise().mean())
     {
       const Numbered_mesh_3& mesh = motions.m_mesh;
-      const Eigen::Vector3d source_center = mesh.source.rowwise().mean();
-      const double spread = (positions.colwise() - center).squaredNorm();
+      const Vector_3 source_center = mesh.source.rowwise().mean();
+      const double spread = squared_distances(positions, center);
       radius = std::sqrt(spread / positions.cols());
       for(int v = mesh.number_of_free_vertices; v < mesh.number_of_vertices(); ++v)
-      {
-        const auto J = velocities(positions.col(v));
-        const Eigen::Matrix3d Q = Matrix_3::Identity() - mesh.projector(v);
-        conditions.matrix += J.transpose() * Q * J;
-        conditions.right_side += J.transpose() * (Q * vector(mesh.target.col(v) - positions.col(v)));
-      }
+        conditions.add(velocities(positions.col(v)), Matrix_3::Identity() - mesh.projector(v),
+                       mesh.target.col(v) - positions.col(v));
       if(!motions.m_may_scale)
         conditions.matrix(6, 6) += 3 * spread;
       for(int v = 0; v < mesh.number_of_vertices(); ++v)
       {
-        auto J = velocities(positions.col(v));
-        J.middleCols<3>(3).setZero();
-        shape.matrix += J.transpose() * J;
-        shape.right_side += J.transpose() * (vector(mesh.source.col(v)) - source_center - vector(positions.col(v)) + center);
+        Velocities J = velocities(positions.col(v));
+        std::fill_n(J.begin() + 3, 3, Vector_3::Zero());
+        shape.add(J, Matrix_3::Identity(), mesh.source.col(v) - source_center - (positions.col(v) - center));
       }
       // a bound of the Hessian: steps do not turn too far if the image is small
-      shape.matrix.topLeftCorner<3, 3>() *= std::sqrt((mesh.source.colwise() - source_center).squaredNorm() / spread);
-      center_of_source.matrix.block<3, 3>(3, 3).setIdentity();
-      center_of_source.right_side.segment<3>(3) = (source_center - center) / radius;
+      shape.matrix.topLeftCorner<3, 3>() *= std::sqrt(squared_distances(mesh.source, source_center) / spread);
+      for(int i = 0; i < 3; ++i)
+      {
+        center_of_source.matrix(3 + i, 3 + i) = 1;
+        center_of_source.right_side[3 + i] = (source_center[i] - center[i]) / radius;
+      }
     }
 
-    Eigen::Matrix<double, 3, 7> velocities(const Eigen::Vector3d& p) const
+    static double squared_distances(const Matrix3Xd& points, const Vector_3& center)
     {
-      const Eigen::Vector3d x = p - center;
-      Eigen::Matrix<double, 3, 7> result;
-      result << Eigen::Vector3d::UnitX().cross(x), Eigen::Vector3d::UnitY().cross(x), Eigen::Vector3d::UnitZ().cross(x),
-                radius * Eigen::Matrix3d::Identity(), x;
+      double result = 0;
+      for(int v = 0; v < points.cols(); ++v)
+        result += (points.col(v) - center).squaredNorm();
       return result;
     }
 
-    Matrix3Xd moved(const Matrix3Xd& positions, const Motion& d) const
+    Velocities velocities(const Vector_3& p) const
     {
-      const double angle = d.head<3>().norm();
-      Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-      if(angle > 0)
-        turn = Eigen::AngleAxisd(angle, d.head<3>() / angle).toRotationMatrix();
-      const Eigen::Vector3d new_center = center + radius * d.segment<3>(3);
-      return ((std::exp(d[6]) * turn) * (positions.colwise() - center)).colwise() + new_center;
+      const Vector_3 x = p - center;
+      Velocities result;
+      for(int i = 0; i < 3; ++i)
+      {
+        result[i] = Vector_3::Unit(i).cross(x);
+        result[3 + i] = radius * Vector_3::Unit(i);
+      }
+      result[6] = x;
+      return result;
     }
+
+    Similarity_3 similarity(const Motion& d) const
+    { return { std::exp(d[6]), rotation_3({ d[0], d[1], d[2] }), center, center + radius * Vector_3(d[3], d[4], d[5]) }; }
   };
 
   const Numbered_mesh_3& m_mesh;
