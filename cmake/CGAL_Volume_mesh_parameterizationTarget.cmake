@@ -85,6 +85,7 @@ template Error_code map_to_sphere_3(const Numbered_surface_3& surface, const Lan
 }
 ]] @ONLY)
   file(CONFIGURE OUTPUT surface_engine.cpp CONTENT [[
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface_impl.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface_impl.h>
 ]] @ONLY)
   # The sparse solvers allocate memory by the flags of a unit, as all of Eigen does. By another name, they are the engine's own.

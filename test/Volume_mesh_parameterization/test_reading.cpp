@@ -6,6 +6,7 @@
 #include <CGAL/Volume_mesh_parameterization/IO/Output_file.h>
 #include <CGAL/Volume_mesh_parameterization/IO/boundary_targets.h>
 #include <CGAL/Volume_mesh_parameterization/IO/read_tetrahedron_soup.h>
+#include <CGAL/Volume_mesh_parameterization/IO/surfaces.h>
 #include <CGAL/Volume_mesh_parameterization/IO/vertex_conditions.h>
 #include <CGAL/Volume_mesh_parameterization/boundary_vertices.h>
 

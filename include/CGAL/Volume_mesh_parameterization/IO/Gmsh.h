@@ -14,6 +14,7 @@
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_mesher.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_writer.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Text_scanner.h>
 
 #include <filesystem>
 #include <fstream>

@@ -126,49 +126,6 @@ bool read_boundary_targets(std::istream& is, std::size_t number_of_vertices,
 
 /// \ingroup PkgVolumeMeshParameterizationIO
 ///
-/// reads a surface in a format of \cgal or VTK (`.off`, `.stl`, `.obj`, `.ply` or `.vtp`), as it is. Faces with more vertices are
-/// split into triangles: at their first vertex, if these triangles cover the face.
-///
-/// \param filename the name of the file
-/// \param surface gets the points, and the triangles as facets
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
-///
-/// \return `false` if the time is over or the visitor ends the reading; `surface` is then unchanged.
-///
-/// \exception Input_error names the fault; \c surface is then unchanged.
-template <typename NamedParameters = parameters::Default_named_parameters>
-bool read_surface(const std::string& filename, Tetrahedron_soup_3& surface,
-                  const NamedParameters& np = parameters::default_values())
-{
-  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
-  { surface = internal::read_surface(filename, budget); });
-}
-
-/// \ingroup PkgVolumeMeshParameterizationIO
-///
-/// reads a surface that is to enclose a body, likewise, and repairs it. Points with the same coordinates are joined, and points at
-/// gaps within a distance if that closes the surface. Triangles without area are flipped away, and triangles that are turned over
-/// are turned. Points without triangles are removed. Notes of the soup list repairs. A surface without such faults keeps its
-/// triangles.
-///
-/// \param filename the name of the file
-/// \param surface gets the points, and the triangles as facets
-/// \param joining_distance the distance; 0 stands for 1e-9, 1e-7 or 1e-5 of the diagonal of the bounding box
-/// \param np an optional sequence of \ref bgl_namedparameters "Named Parameters", those of `read_MEDIT()`
-///
-/// \return `false` if the time is over or the visitor ends the reading; `surface` is then unchanged.
-///
-/// \exception Input_error names the fault, or an edge at which the surface stays open; \c surface is then unchanged.
-template <typename NamedParameters = parameters::Default_named_parameters>
-bool read_closed_surface(const std::string& filename, Tetrahedron_soup_3& surface, const double joining_distance = 0,
-                         const NamedParameters& np = parameters::default_values())
-{
-  return internal::read_within_limits(np, filename, [&](const internal::Budget& budget)
-  { surface = internal::read_closed_surface(filename, joining_distance, budget); });
-}
-
-/// \ingroup PkgVolumeMeshParameterizationIO
-///
 /// finds target points for the boundary of a mesh. They are the points of another mesh with its vertices and cells, in any order
 /// of the cells. Or they are the points of a surface, a soup without cells.
 ///

@@ -13,7 +13,7 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
-#include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 

@@ -14,13 +14,11 @@
 
 #include <CGAL/Volume_mesh_parameterization/Tetrahedron_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Triangulated_surface.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/read_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-// Returns triangles of a polygon in its plane, whose vertices are those of its points; none if the polygon crosses itself.
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Triangles triangles_of_polygon(const Points& polygon);
 
 // Makes a surface of a file enclose a body, if CGAL's functions can. They join points with the same coordinates, and points closer
 // than a distance if that closes the surface; flip triangles without area away; and turn triangles that are turned over. If the
@@ -45,6 +43,16 @@ inline void require_closed(const Tetrahedron_soup_3& surface, const bool may_tou
                         + " instead of 2. " + ((end - begin) % 2 == 0 ? "Separate the parts that meet there, or remove one of them"
                           : "Close the hole, or use --merge-points=DISTANCE to join points closer than this distance"));
   });
+}
+
+// Reads a surface that is to enclose a body, and repairs it.
+inline Tetrahedron_soup_3 read_closed_surface(const std::string& filename, const double distance, const Budget& budget,
+                                              const bool may_touch_itself = false)
+{
+  Tetrahedron_soup_3 surface = read_surface(filename, budget);
+  repair_surface(surface, distance);
+  require_closed(surface, may_touch_itself);
+  return surface;
 }
 
 } // namespace CGAL::Volume_mesh_parameterization::internal

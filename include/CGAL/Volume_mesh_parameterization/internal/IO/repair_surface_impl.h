@@ -23,7 +23,6 @@
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -33,25 +32,6 @@ namespace CGAL::Volume_mesh_parameterization::internal {
 
 using Repair_kernel = Exact_predicates_inexact_constructions_kernel;
 using Repaired_mesh = Surface_mesh<Repair_kernel::Point_3>;
-
-CGAL_VOLUME_MESH_PARAMETERIZATION_INLINE Triangles triangles_of_polygon(const Points& polygon)
-{
-  Repaired_mesh mesh;
-  std::vector<Repaired_mesh::Vertex_index> vertices;
-  for(const auto& [x, y, z] : polygon)
-    vertices.push_back(mesh.add_vertex({ x, y, z }));
-  Triangles result;
-  if(!Polygon_mesh_processing::triangulate_face(mesh.add_face(vertices), mesh))
-    return result;
-  for(const auto face : mesh.faces())
-  {
-    result.emplace_back();
-    auto corner = result.back().begin();
-    for(const auto v : vertices_around_face(mesh.halfedge(face), mesh))
-      *corner++ = static_cast<std::size_t>(v);
-  }
-  return result;
-}
 
 // Points and triangles as CGAL's functions for soups take them.
 struct Polygon_soup
