@@ -243,7 +243,7 @@ TEST_CASE("a topological sphere that has no other polycube is mapped to its boun
 
 TEST_CASE("of several polycubes, the cheapest one is taken, and the costs of all are told")
 {
-  // a bar that is twisted by a half turn: labels follow the axes, and the sides of a box the bar
+  // a bar that is twisted by a half turn: the sides of a box follow the bar, but the lines of labels follow more of its edges
   const VMP::Tetrahedron_soup_3 soup = bricks({3, 3, 12}, is_box,
     [](const double x, const double y, const double z) -> std::array<double, 3>
   {
@@ -254,10 +254,26 @@ TEST_CASE("of several polycubes, the cheapest one is taken, and the costs of all
   std::vector<std::array<double, 3> > targets;
   REQUIRE(Polycube(0, PM::Polycube_axes::GIVEN, &result).parameterize(soup, targets) == VMP::OK);
   REQUIRE(result.candidates.size() == 2);
-  CHECK(result.candidates[0].strategy == "bounding box");
-  CHECK(result.candidates[1].strategy == "labels");
+  CHECK(result.candidates[0].strategy == "labels");
+  CHECK(result.candidates[1].strategy == "bounding box");
   CHECK(result.candidates[0].cost < result.candidates[1].cost);
-  CHECK(result.strategy == "bounding box");
+  CHECK(result.strategy == "labels");
+}
+
+TEST_CASE("the part of sharp edges that a polycube gives up is a part of their length, also where they are split")
+{
+  VMP::internal::Numbered_surface_3 surface;
+  surface.points = {{0, 0, 0}, {1, 0, 0}, {1, 3, 0}};
+  surface.sharp_edges = {{0, 1}, {1, 2}};
+  PM::internal::Surface_map_3 map = {VMP::OK, surface.points, 0.25};
+  CHECK(PM::internal::part_given_up_3(surface, map) == 0);
+  map.images[0] = {0.5, 0.5, 0}; // the edge of length 1 leads along no axis
+  CHECK(PM::internal::part_given_up_3(surface, map) == Approx(0.25));
+  map.splits = {{2, 1}};
+  map.images.push_back({1.5, 1, 0.5}); // neither half of the other edge does
+  CHECK(PM::internal::part_given_up_3(surface, map) == Approx(1));
+  map.images[3] = {1, 1, 0};
+  CHECK(PM::internal::part_given_up_3(surface, map) == Approx(0.25));
 }
 
 TEST_CASE("bodies whose polycubes would touch are mapped side by side")

@@ -64,7 +64,7 @@ struct Polycube_result
   struct Candidate
   {
     std::string strategy; ///< that found it: `labels`, `bounding box`, `bodies side by side`, `voxels` or `given labels`
-    double cost;          ///< its distortion, and what its splits of edges cost
+    double cost;          ///< its distortion, what its splits of edges cost, and the part of sharp edges given up
   };
 
   /// the polycubes that were found, the cheapest one first
@@ -127,9 +127,10 @@ that are oblique to the axes get their second direction, one after the other.
 <b>Choice</b>. If the polycube of the labels costs much, or none is found, a topological sphere is also mapped to its bounding box.
 With `Refinement_mode::BOUNDARY`, `CGAL::stretch_minimizing_volume_parameterization()` also tries polycubes of voxels then, and
 splits edges of the boundary near edges of such a polycube. The cost is the distortion of the boundary, times the third root of
-the factor by which splits multiply its vertices. The call maps the body to the cheapest polycube. If that fails, it takes the
-next ones, up to the first one without splits. `Polycube_result::candidates` lists all of them. A body with handles for which no
-labels are found needs voxels, and handles finer than a voxel are not found.
+the factor by which splits multiply its vertices. To this, the part of the length of sharp edges that is given up is added. The
+call maps the body to the cheapest polycube. If that fails, it takes the next ones, up to the first one without splits.
+`Polycube_result::candidates` lists all of them. A body with handles for which no labels are found needs voxels, and handles finer
+than a voxel are not found.
 
 The function `parameterize()` writes images only if it returns `OK`. Otherwise, it returns one of these codes:
 

@@ -14,11 +14,14 @@
 
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Boundary/Boundary_mesh_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Boundary/Numbered_surface_3.h>
+#include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -46,12 +49,37 @@ std::size_t label_of_image(const Facet& facet, const std::vector<Vector_3>& imag
   return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
 }
 
-// Returns what a polycube costs: the distortion, times the third root of the factor by which splits multiply the vertices. So
-// voxels, with a usual factor of 2.4, must have three quarters of the distortion of others: they multiply the cells inside.
-inline double cost_of_polycube(const Surface_map_3& map)
+// Returns what the map to a polycube costs: the distortion, times the third root of the factor by which splits multiply the
+// vertices. So voxels, with a usual factor of 2.4, must have three quarters of the distortion of others: they multiply the cells
+// inside.
+inline double cost_of_map(const Surface_map_3& map)
 {
   const double n = static_cast<double>(map.images.size()), given = n - static_cast<double>(map.splits.size());
   return map.distortion * std::cbrt(n / given);
+}
+
+// Returns the part of the length of all sharp edges whose images lead along no axis.
+inline double part_given_up_3(const Numbered_surface_3& surface, const Surface_map_3& map)
+{
+  std::vector<Vector_3> points = surface.points;
+  std::set<std::array<std::size_t, 2> > edges;
+  for(const std::array<std::size_t, 2>& edge : surface.sharp_edges)
+    edges.insert(sorted(edge));
+  for(const std::array<std::size_t, 2>& split : map.splits)
+  {
+    const auto [v, w] = split;
+    if(edges.erase(sorted(split)) > 0)
+      edges.insert({ { v, points.size() }, { w, points.size() } });
+    points.push_back((points[v] + points[w]) / 2);
+  }
+  double all = 0, given_up = 0;
+  for(const auto& [v, w] : edges)
+  {
+    const double length = length_3(points[w] - points[v]);
+    all += length;
+    given_up += leads_along_axis(map.images[v], map.images[w]) ? 0 : length;
+  }
+  return all > 0 ? given_up / all : 0;
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

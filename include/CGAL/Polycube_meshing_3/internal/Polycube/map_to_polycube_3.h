@@ -80,7 +80,7 @@ struct Polycube_candidate_3
   const char* strategy; // that found it
   Matrix_3 rotation;
   Surface_map_3 map;
-  double cost;          // cost_of_polycube(map)
+  double cost;          // of the map, and the part of sharp edges given up
 };
 
 // Polycubes of a surface, the cheapest one first; the status tells why there are none.

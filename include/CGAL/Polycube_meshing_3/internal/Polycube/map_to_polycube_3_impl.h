@@ -33,16 +33,16 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Adds a polycube to those that are sorted by their costs, if it was found. The first other reason why there are none remains.
-inline void add(const char* strategy, const Matrix_3& rotation, Surface_map_3 map, Found_polycubes_3& found)
+inline void add(const char* strategy, const Turned_surface_3& turned, Surface_map_3 map, Found_polycubes_3& found)
 {
   if(map.status == OK || found.status == ERROR_NO_POLYCUBE)
     found.status = map.status;
   if(map.status != OK)
     return;
-  const double cost = cost_of_polycube(map);
+  const double cost = cost_of_map(map) + part_given_up_3(turned.surface, map); // bounding boxes may flatten pockets
   const auto is_dearer = [&](const Polycube_candidate_3& candidate) { return candidate.cost > cost; };
   found.candidates.insert(std::find_if(found.candidates.begin(), found.candidates.end(), is_dearer),
-                          { strategy, rotation, std::move(map), cost });
+                          { strategy, turned.rotation, std::move(map), cost });
 }
 
 // Returns the surface as it is, or turned such that its normals are close to the axes.
@@ -83,15 +83,15 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
   const auto search = [&](const Unit_surface_3& surface) { return Search_for_polycube_3(surface, budget).run(); };
   const std::array<Polycube_strategy_3, 4> strategies = {{
     { "labels", true, 0, [&] { return map_with_thin_walls_3(turned, search, budget); } },
-    { "bounding box", kind == OK, 0.5, [&] { return map_to_bounding_box_3(turned, budget); } },
+    { "bounding box", kind == OK, 0.7, [&] { return map_to_bounding_box_3(turned, budget); } },
     { "bodies side by side", !is_connected, (std::numeric_limits<double>::infinity)(),
       [&] { return map_bodies_apart_3(turned.surface, turned.spacing, map_body); } },
-    { "voxels", is_connected && may_split, 0.8, [&] { return map_to_voxels_3(turned, budget); } }
+    { "voxels", is_connected && may_split, 0.7, [&] { return map_to_voxels_3(turned, budget); } }
   }};
   Found_polycubes_3 found;
   for(const Polycube_strategy_3& strategy : strategies)
     if(strategy.is_possible && (found.candidates.empty() || !(found.candidates.front().cost < strategy.least_cost)))
-      add(strategy.name, turned.rotation, strategy.map(), found);
+      add(strategy.name, turned, strategy.map(), found);
   return found;
 }
 
@@ -116,7 +116,7 @@ inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem
     return map_by_strategies_3(turned, problem.may_split, budget);
   Found_polycubes_3 found;
   const auto map = [&](const Unit_surface_3& surface) { return map_with_labels_3(surface, problem.labels, budget); };
-  add("given labels", turned.rotation, map_with_thin_walls_3(turned, map, budget), found);
+  add("given labels", turned, map_with_thin_walls_3(turned, map, budget), found);
   return found;
 }
 

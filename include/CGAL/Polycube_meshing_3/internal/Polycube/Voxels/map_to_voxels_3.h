@@ -173,7 +173,7 @@ inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget
       if(map.status != OK)
         continue;
       ++number_of_maps;
-      if(best.status != OK || cost_of_polycube(map) < cost_of_polycube(best))
+      if(best.status != OK || cost_of_map(map) < cost_of_map(best))
         best = std::move(map);
     }
   }
