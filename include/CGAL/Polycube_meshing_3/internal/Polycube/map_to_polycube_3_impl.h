@@ -57,12 +57,12 @@ inline Turned_surface_3 turned_surface_3(const Polycube_problem_3& problem, cons
   return result;
 }
 
-// Strategy that may lead to a polycube, and about the least that one has cost: it is not tried if there is a cheaper one.
+// Strategy that may lead to a polycube, and a cost that suffices: if there is a cheaper one, the strategy is not tried.
 struct Polycube_strategy_3
 {
   const char* name;
   bool is_possible;
-  double least_cost;
+  double sufficient_cost;
   std::function<Surface_map_3()> map;
 };
 
@@ -81,16 +81,17 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
     return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
   };
   const auto search = [&](const Unit_surface_3& surface) { return Search_for_polycube_3(surface, budget).run(); };
+  constexpr double low_cost = 0.7; // a guess: above it, voxels keep more features of blocks with oblique pockets
   const std::array<Polycube_strategy_3, 4> strategies = {{
     { "labels", true, 0, [&] { return map_with_thin_walls_3(turned, search, budget); } },
-    { "bounding box", kind == OK, 0.7, [&] { return map_to_bounding_box_3(turned, budget); } },
+    { "bounding box", kind == OK, low_cost, [&] { return map_to_bounding_box_3(turned, budget); } },
     { "bodies side by side", !is_connected, (std::numeric_limits<double>::infinity)(),
       [&] { return map_bodies_apart_3(turned.surface, turned.spacing, map_body); } },
-    { "voxels", is_connected && may_split, 0.7, [&] { return map_to_voxels_3(turned, budget); } }
+    { "voxels", is_connected && may_split, low_cost, [&] { return map_to_voxels_3(turned, budget); } }
   }};
   Found_polycubes_3 found;
   for(const Polycube_strategy_3& strategy : strategies)
-    if(strategy.is_possible && (found.candidates.empty() || !(found.candidates.front().cost < strategy.least_cost)))
+    if(strategy.is_possible && (found.candidates.empty() || !(found.candidates.front().cost < strategy.sufficient_cost)))
       add(strategy.name, turned, strategy.map(), found);
   return found;
 }

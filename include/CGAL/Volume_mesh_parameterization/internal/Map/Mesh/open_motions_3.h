@@ -90,6 +90,7 @@ private:
     constexpr double rounding = 1e-12; // a guess; relative to the trace
     const double trace = equations.matrix.trace();
     const Square reduced = space * equations.matrix * space; // other directions get the largest eigenvalues
+    const Motion right_side = space * equations.right_side;
     const auto [values, vectors] = eigen_decomposition(reduced + (trace > 0 ? 2 * trace : 1.) * (Square::Identity() - space));
     std::pair<Motion, Square> result = { Motion::Zero(), Square::Zero() };
     for(int i = 0; i < 7; ++i)
@@ -98,7 +99,7 @@ private:
       if(values[i] <= rounding * trace)
         result.second += v * v.transpose();
       else
-        result.first += v.dot(space * equations.right_side) / values[i] * v;
+        result.first += v.dot(right_side) / values[i] * v;
     }
     return result;
   }
