@@ -73,7 +73,7 @@ STRATEGIES = {
                           "    if(is_on())\n      move_to_corners_3("),
     "separation": (HEXAHEDRA, "find_hexahedra_3_impl.h", "  Subdomain_separation_3(",
                    "  if(is_on())\n    Subdomain_separation_3("),
-    "balance": (HEXAHEDRA, "find_hexahedra_3_impl.h", "    balance_interfaces_3(", "    if(is_on())\n      balance_interfaces_3("),
+    "keeping volumes": (HEXAHEDRA, "find_hexahedra_3_impl.h", "    keep_volumes_3(", "    if(is_on())\n      keep_volumes_3("),
     "staircases": (HEXAHEDRA, "find_hexahedra_3_impl.h", "  return is_better_as_staircases(",
                    "  return is_on() && is_better_as_staircases("),
     "pulling middles": (HEXAHEDRA, "Sliding_hexahedra_3.h", "        if(is_valid)\n          pull_middles_3(",

@@ -196,7 +196,7 @@ TEST_CASE("A ball in a box keeps its surface and its volume")
   CHECK(distance_of_interface(mesh, [](const Vector3d& p) { return (p - Vector3d::Constant(4)).norm() - 3; }) < 0.15);
   REQUIRE(result.volumes.size() == 2);
   CHECK(result.volumes[1].reference == 5);
-  CHECK(result.volumes[1].of_hexahedra == Approx(result.volumes[1].of_tetrahedra).epsilon(0.02));
+  CHECK(result.volumes[1].of_hexahedra == Approx(result.volumes[1].of_tetrahedra).epsilon(1e-4));
   CHECK(volumes_by_centers(mesh).at(5) == Approx(result.volumes[1].of_hexahedra).epsilon(0.01));
   CHECK(result.volumes[0].of_hexahedra + result.volumes[1].of_hexahedra == Approx(512));
 }

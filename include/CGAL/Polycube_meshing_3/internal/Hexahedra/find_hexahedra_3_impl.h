@@ -129,7 +129,7 @@ inline Best_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& pro
   Best_hexahedra_3 best = best_hexahedra_3(problem, body, separated, interfaces, Staircases::NONE, budget);
   if(best.result.has_valid_mesh)
   {
-    balance_interfaces_3(interfaces, best.mesh);
+    keep_volumes_3(body, interfaces, best.mesh);
     const std::vector<double> quality = scaled_jacobians(best.mesh);
     best.result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   }

@@ -17,6 +17,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Covered_surface_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/volumes_of_subdomains_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/measure_distortion_3.h>
 
 #include <map>
@@ -79,44 +80,6 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
   if(staircases == Staircases::BETTER)
     result.message += " Interfaces between subdomains are staircases, because hexahedra that follow them would be inverted or "
       "of lower quality.";
-}
-
-// Returns the volume of the trilinear image of a cube, by the divergence theorem: the part of a bilinear quadrangle is the mean
-// of those of its two cuts into triangles.
-inline double volume_of_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
-{
-  const Vector_3& origin = mesh.points[mesh.cells[c][0]]; // less rounding than by the origin of the axes
-  double sum = 0;
-  for(std::size_t side = 0; side < 6; ++side)
-  {
-    const std::array<std::size_t, 4> v = vertices_of(mesh, { c, side });
-    const auto point = [&](const std::size_t i) -> Vector_3 { return mesh.points[v[i % 4]] - origin; };
-    for(std::size_t i = 0; i < 4; ++i)
-      sum += point(i).dot(point(i + 1).cross(point(i + 2))) / 12;
-  }
-  return sum;
-}
-
-inline double volume_of_tetrahedron(const Body_with_domain_3& body, const std::size_t c)
-{
-  const Matrix_3 edges = edge_matrix(body.points, body.soup.cells[c]);
-  return edges.col(0).cross(edges.col(1)).dot(edges.col(2)) / 6;
-}
-
-inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_domain_3& body, const Hexahedra_3& mesh)
-{
-  std::map<int, Subdomain_volumes> volumes;
-  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
-    volumes[body.soup.cell_references[c]].of_tetrahedra += volume_of_tetrahedron(body, c);
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    volumes[mesh.cell_references[c]].of_hexahedra += volume_of_hexahedron(mesh, c);
-  std::vector<Subdomain_volumes> result;
-  for(auto& [reference, of_reference] : volumes)
-  {
-    of_reference.reference = reference;
-    result.push_back(of_reference);
-  }
-  return result;
 }
 
 // Names the place if the hexahedra deviate from the body: if a boundary is farther than half an edge from the other, or a
