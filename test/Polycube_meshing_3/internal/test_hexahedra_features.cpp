@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <string>
@@ -302,28 +303,45 @@ TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
   }
 }
 
+// A cube of hexahedra with edges of 2, on whose top curves surround rectangles between vertices of a grid with edges of 1.
+struct Rectangles_on_cube
+{
+  Body body = Body(12, 0, [](const Vector3d& p) { return p; });
+  Hexahedra_3 hexahedra;
+  std::map<std::array<double, 3>, std::size_t> vertex_at;
+  std::unique_ptr<PM::internal::Body_complex_3> complex;
+
+  explicit Rectangles_on_cube(const std::vector<std::array<double, 4> >& rectangles) // ranges of x and y
+  {
+    Hexahedron_soup_3 soup;
+    REQUIRE(body.mesh(2, soup).status == VMP::OK);
+    hexahedra = hexahedra_of(soup);
+    for(std::size_t v = 0; v < body.images.size(); ++v)
+      vertex_at[body.images[v]] = v;
+    for(const auto& [first_x, last_x, first_y, last_y] : rectangles)
+    {
+      for(double x = first_x; x < last_x; ++x)
+        for(const double y : { first_y, last_y })
+          body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x + 1, y, 12 }) });
+      for(double y = first_y; y < last_y; ++y)
+        for(const double x : { first_x, last_x })
+          body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x, y + 1, 12 }) });
+    }
+    complex = std::make_unique<PM::internal::Body_complex_3>(PM::internal::Mapped_soup_3(body.soup, body.images),
+                                                             VMP::internal::vectors_of(body.soup.points));
+  }
+};
+
 TEST_CASE("Curves without room are given up as soon as rounds lead to no fewer conflicts, many of them at once")
 {
-  Body body(12, 0, [](const Vector3d& p) { return p; });
-  Hexahedron_soup_3 soup;
-  REQUIRE(body.mesh(2, soup).status == VMP::OK);
-  std::map<std::array<double, 3>, std::size_t> vertex_at;
-  for(std::size_t v = 0; v < body.images.size(); ++v)
-    vertex_at[body.images[v]] = v;
-  for(double x = 1; x < 12; ++x) // a grid of curves, with half the distance of edges of the hexahedra
-    for(double y = 1; y < 12; ++y)
-    {
-      if(x < 11)
-        body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x + 1, y, 12 }) });
-      if(y < 11)
-        body.soup.edges.push_back({ vertex_at.at({ x, y, 12 }), vertex_at.at({ x, y + 1, 12 }) });
-    }
-  const PM::internal::Mapped_soup_3 mapped(body.soup, body.images);
-  const PM::internal::Body_complex_3 complex(mapped, VMP::internal::vectors_of(body.soup.points));
-  const Hexahedra_3 mesh = hexahedra_of(soup);
+  std::vector<std::array<double, 4> > squares; // a grid of curves, with half the distance of edges of the hexahedra
+  for(double x = 1; x < 11; ++x)
+    for(double y = 1; y < 11; ++y)
+      squares.push_back({ x, x + 1, y, y + 1 });
+  const Rectangles_on_cube body(squares);
   std::size_t number_of_rounds = 0;
   const VMP::internal::Budget budget(1e9, [&] { return ++number_of_rounds < 500; });
-  PM::internal::Feature_embedding_3(complex, mesh, 2).run(budget);
+  PM::internal::Feature_embedding_3(*body.complex, body.hexahedra, 2).run(budget);
   CHECK(number_of_rounds > 45); // not all curves at once
   CHECK(number_of_rounds < 500);
 }
@@ -332,33 +350,66 @@ TEST_CASE("Curves without room are given up as soon as rounds lead to no fewer c
 TEST_CASE("Sheets of hexahedra are cut across curves that have no room beside others, if fewer curves are given up then")
 {
   constexpr double spacing = 2;
-  for(const double number_of_squares : { 2., 3. })
+  std::vector<std::array<double, 4> > squares = { { 5, 7, 5, 7 } };
+  for(const double half : { 2., 3. })
   {
-    Body body(12, 0, [](const Vector3d& p) { return p; });
-    Hexahedron_soup_3 soup;
-    REQUIRE(body.mesh(spacing, soup).status == VMP::OK);
-    std::map<std::array<double, 3>, std::size_t> vertex_at;
-    for(std::size_t v = 0; v < body.images.size(); ++v)
-      vertex_at[body.images[v]] = v;
-    for(double half = 1; half <= number_of_squares; ++half)
-      for(double x = -half; x < half; ++x)
-        for(const double y : { -half, half })
-        {
-          body.soup.edges.push_back({ vertex_at.at({ 6 + x, 6 + y, 12 }), vertex_at.at({ 7 + x, 6 + y, 12 }) });
-          body.soup.edges.push_back({ vertex_at.at({ 6 + y, 6 + x, 12 }), vertex_at.at({ 6 + y, 7 + x, 12 }) });
-        }
-    const PM::internal::Mapped_soup_3 mapped(body.soup, body.images);
-    const PM::internal::Body_complex_3 complex(mapped, VMP::internal::vectors_of(body.soup.points));
+    squares.push_back({ 6 - half, 6 + half, 6 - half, 6 + half });
+    const Rectangles_on_cube body(squares);
     const VMP::internal::Budget budget;
-    const Hexahedra_3 start = hexahedra_of(soup), mesh = PM::internal::with_room_for_corners_3(complex, start, spacing);
-    PM::internal::Feature_embedding_3 coarse(complex, mesh, spacing);
+    const Hexahedra_3 mesh = PM::internal::with_room_for_corners_3(*body.complex, body.hexahedra, spacing);
+    PM::internal::Feature_embedding_3 coarse(*body.complex, mesh, spacing);
     REQUIRE(coarse.run(budget));
     REQUIRE(coarse.number_given_up() > 0);
-    const auto features = PM::internal::embedded_features_3(complex, start, spacing, budget);
+    const auto features = PM::internal::embedded_features_3(*body.complex, body.hexahedra, spacing, budget);
     REQUIRE(features);
-    CHECK((features->embedding.number_given_up() == 0) == (number_of_squares == 2));
-    CHECK((features->mesh.cells.size() > mesh.cells.size()) == (number_of_squares == 2));
+    CHECK((features->embedding.number_given_up() == 0) == (half == 2));
+    CHECK((features->mesh.cells.size() > mesh.cells.size()) == (half == 2));
   }
+}
+
+// The path of one side of the third rectangle has no room but around the second one.
+TEST_CASE("A curve is given up if its path, around another patch, leaves its own patch on the wrong side")
+{
+  const Rectangles_on_cube body({ { 1, 2, 4, 6 }, { 5, 6, 4, 6 }, { 7, 8, 2, 4 } });
+  const VMP::internal::Budget budget;
+  const Hexahedra_3 mesh = PM::internal::with_room_for_corners_3(*body.complex, body.hexahedra, 2);
+  PM::internal::Feature_embedding_3 embedding(*body.complex, mesh, 2);
+  REQUIRE(body.complex->arcs().size() == 12);
+  REQUIRE(embedding.run(budget));
+  CHECK(embedding.number_given_up() == 1);
+  for(std::size_t a = 0; a < 12; ++a)
+    CHECK(embedding.path(a).size() <= 2);
+}
+
+TEST_CASE("Beside a hexahedron that stays inverted, the shortest curve near it that is not given up has no room")
+{
+  const Rectangles_on_cube body({ { 2, 4, 2, 6 }, { 8, 10, 8, 10 } });
+  const VMP::internal::Budget budget;
+  Hexahedra_3 mesh = body.hexahedra;
+  PM::internal::Feature_embedding_3 embedding(*body.complex, mesh, 2);
+  REQUIRE(embedding.run(budget));
+  const auto curves = [&] { return PM::internal::curves_without_room_3(*body.complex, embedding, mesh, 2); };
+  CHECK(curves().empty());
+  for(VMP::internal::Vector_3& p : mesh.points)
+    if((p - VMP::internal::Vector_3(4, 2, 10)).norm() < 0.1)
+      p[2] = 12.5; // above the top
+  const std::set<std::size_t> shortest = curves();
+  REQUIRE(shortest.size() == 1);
+  const auto length = [&](const std::size_t curve)
+  {
+    double result = 0;
+    for(std::size_t a = 0; a < body.complex->arcs().size(); ++a)
+      if(body.complex->arcs()[a].curve == curve)
+        result += body.complex->line(a).length();
+    return result;
+  };
+  CHECK(length(*shortest.begin()) == Approx(2));
+  PM::internal::Feature_embedding_3 others(*body.complex, mesh, 2);
+  REQUIRE(others.run(budget, shortest));
+  for(std::size_t a = 0; a < body.complex->arcs().size(); ++a)
+    CHECK(others.path(a).empty() == (body.complex->arcs()[a].curve == *shortest.begin()));
+  const std::set<std::size_t> next = PM::internal::curves_without_room_3(*body.complex, others, mesh, 2);
+  CHECK(next.count(*shortest.begin()) == 0);
 }
 
 TEST_CASE("Features of hexahedra cost neither their validity nor their distance to the body")

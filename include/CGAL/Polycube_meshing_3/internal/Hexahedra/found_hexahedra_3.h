@@ -156,9 +156,7 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
 inline std::string advice_3(const Body_with_domain_3& body, const Hexahedra_3& mesh)
 {
   constexpr double large_distortion = 10; // a guess
-  Vector_3 center = Vector_3::Zero();
-  for(const std::size_t v : worst_hexahedron(mesh, scaled_jacobians(mesh)))
-    center += mesh.points[v] / 8;
+  const Vector_3 center = center_of(mesh.points, worst_hexahedron(mesh, scaled_jacobians(mesh)));
   const std::array<std::size_t, 4>& cell = body.soup.cells[body.map.nearest_image(exact_point(center))->cell];
   const Vector_3 s = signed_singular_values_3(edge_matrix(body.images, cell) * edge_matrix(body.points, cell).inverse());
   const double distortion = angle_distortion(s[0], s[2]);

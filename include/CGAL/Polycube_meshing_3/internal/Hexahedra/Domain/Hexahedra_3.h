@@ -127,10 +127,14 @@ inline std::set<std::array<std::size_t, 2> > edges_of_quadrangles(const Hexahedr
   return result;
 }
 
-inline Vector_3 center_of(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& quadrangle)
+// Returns the mean of the vertices of a quadrangle or hexahedron.
+template <std::size_t N>
+Vector_3 center_of(const std::vector<Vector_3>& points, const std::array<std::size_t, N>& vertices)
 {
-  const auto& [a, b, c, d] = quadrangle;
-  return (points[a] + points[b] + points[c] + points[d]) / 4;
+  Vector_3 sum = Vector_3::Zero();
+  for(const std::size_t v : vertices)
+    sum += points[v];
+  return sum / N;
 }
 
 // Returns the normal of a quadrangle times its area, half of the product of its diagonals.

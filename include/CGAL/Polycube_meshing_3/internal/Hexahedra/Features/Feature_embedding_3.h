@@ -41,8 +41,27 @@ public:
 
   bool is_possible() const { return m_complex.is_manifold() && m_graph.is_manifold() && !m_complex.arcs().empty(); }
 
-  // Returns whether each region of quadrangles belongs to one patch of the body, or to patches that are joined.
-  bool run(const Budget& budget) { return is_possible() && find_paths(budget) && find_regions(); }
+  // Finds paths for all curves but those that are given up. Returns whether there are some, and each region of quadrangles belongs
+  // to one patch of the body, or to patches that are joined. An arc beside wrong regions is given up, too.
+  bool run(const Budget& budget, const std::set<std::size_t>& curves_given_up = {})
+  {
+    if(!is_possible())
+      return false;
+    m_occupied.assign(m_mesh.points.size(), 0);
+    m_history.assign(m_mesh.points.size(), 0);
+    m_occupied_edges.assign(m_graph.number_of_edges(), 0);
+    m_history_of_edges.assign(m_graph.number_of_edges(), 0);
+    for(const std::size_t curve : curves_given_up)
+      give_up(curve);
+    while(number_given_up() < std::ptrdiff_t(m_paths.size()) && find_paths(budget))
+    {
+      const std::vector<std::size_t> wrong = find_regions();
+      if(wrong.empty())
+        return true;
+      give_up_longest_detour(wrong);
+    }
+    return false;
+  }
 
   // Returns a hexahedron at each corner whose vertex has fewer edges than arcs; no two of them share a vertex of the boundary.
   std::vector<std::size_t> hexahedra_without_room() const
@@ -315,6 +334,23 @@ private:
       }
   }
 
+  // Gives up the arc of these whose path is longest, relative to the arc. It would go another way if others left room.
+  void give_up_longest_detour(const std::vector<std::size_t>& arcs)
+  {
+    std::pair<double, std::size_t> longest = { -1, none };
+    for(const std::size_t a : arcs)
+    {
+      double length = 0;
+      for(const std::size_t e : m_paths[a])
+        length += (m_mesh.points[m_graph.target(e)] - m_mesh.points[m_graph.source(e)]).norm();
+      longest = (std::max)(longest, { length / m_complex.line(a).length(), a });
+    }
+    occupy(longest.second, -1);
+    m_paths[longest.second] = route(longest.second, 0);
+    occupy(longest.second, 1);
+    give_up(m_complex.arcs()[longest.second].curve);
+  }
+
   // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
   // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts.
   bool find_paths(const Budget& budget)
@@ -325,10 +361,6 @@ private:
       order.push_back(a);
     std::sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b)
               { return m_complex.line(a).length() < m_complex.line(b).length(); });
-    m_occupied.assign(m_mesh.points.size(), 0);
-    m_history.assign(m_mesh.points.size(), 0);
-    m_occupied_edges.assign(m_graph.number_of_edges(), 0);
-    m_history_of_edges.assign(m_graph.number_of_edges(), 0);
     for(int number_given_up = 0; number_given_up <= largest_number_given_up; )
     {
       m_penalties.assign(m_complex.corners().size(), 1);
@@ -408,9 +440,9 @@ private:
         m_penalties[c] = (std::min)(growth_of_penalty * m_penalties[c], largest_penalty);
   }
 
-  // Joins patches across curves that were given up, and quadrangles across edges without a path. Returns whether the paths around
-  // quadrangles name one region, and each patch that is not joined has one connected region.
-  bool find_regions()
+  // Joins patches across curves that were given up, and quadrangles across edges without a path. Returns the arcs with a path
+  // beside quadrangles that others name another region, or beside a second set of quadrangles of a patch that is not joined.
+  std::vector<std::size_t> find_regions()
   {
     Disjoint_sets patches(m_complex.number_of_patches()), quadrangles(m_mesh.facets.size());
     std::vector<bool> is_wall(m_graph.number_of_edges(), false);
@@ -426,7 +458,7 @@ private:
       if(!is_wall[e])
         quadrangles.unite(m_graph.left(e), m_graph.left(m_graph.opposite(e)));
     const std::vector<std::size_t> numbers = patches.numbers();
-    m_patches.resize(numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end()));
+    m_patches.assign(numbers.empty() ? 0 : 1 + *std::max_element(numbers.begin(), numbers.end()), {});
     for(std::size_t p = 0; p < numbers.size(); ++p)
       m_patches[numbers[p]].insert(p);
     std::map<std::size_t, std::size_t> region_of_set, set_of_region;
@@ -436,18 +468,28 @@ private:
       return region_of_set.emplace(set, region).first->second == region
              && (set_of_region.emplace(region, set).first->second == set || m_patches[region].size() > 1);
     };
+    std::vector<std::size_t> wrong;
     for(std::size_t a = 0; a < m_paths.size(); ++a)
       for(const std::size_t e : m_paths[a])
         if(!name(e, m_complex.arcs()[a].patches[0]) || !name(m_graph.opposite(e), m_complex.arcs()[a].patches[1]))
-          return false;
+          wrong.push_back(a);
+    m_regions.clear();
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
     {
-      const auto found = region_of_set.find(quadrangles.find(f));
-      if(found == region_of_set.end() && m_patches.size() > 1)
-        return false;
-      m_regions.push_back(found == region_of_set.end() ? 0 : found->second);
+      const std::size_t set = quadrangles.find(f);
+      if(region_of_set.count(set) == 0) // a component of the boundary without paths
+        region_of_set[set] = numbers[nearest_patch(f)];
+      m_regions.push_back(region_of_set[set]);
     }
-    return true;
+    return wrong;
+  }
+
+  std::size_t nearest_patch(const std::size_t f)
+  {
+    std::pair<double, std::size_t> nearest = { (std::numeric_limits<double>::infinity)(), 0 };
+    for(std::size_t patch = 0; patch < m_complex.number_of_patches(); ++patch)
+      nearest = (std::min)(nearest, { deviation(f, patch), patch });
+    return nearest.second;
   }
 
   const Body_complex_3& m_complex;

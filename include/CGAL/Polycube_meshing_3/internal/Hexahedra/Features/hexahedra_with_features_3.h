@@ -203,11 +203,12 @@ inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, c
   return result;
 }
 
-// Returns hexahedra with paths for features, made of others by a layer along the boundary and sheets across curves that have too
-// few edges. Other sheets are cut where curves have no room, as long as fewer curves are given up then. Returns none if there are
-// no paths.
+// Returns hexahedra with paths for features but the curves given up, made of others by a layer along the boundary and sheets
+// across curves that have too few edges. Other sheets are cut where curves have no room, as long as fewer curves are given up
+// then. Returns none if there are no paths.
 inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_complex_3& complex, const Hexahedra_3& start,
-                                                                const double edge, const Budget& budget)
+                                                                const double edge, const Budget& budget,
+                                                                const std::set<std::size_t>& curves_given_up = {})
 {
   constexpr double largest_growth = 0.5; // a guess; part of the hexahedra that sheets across curves may add
   std::unique_ptr<Embedded_features_3> result;
@@ -216,7 +217,7 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
   for(bool is_for_room = false; ; )
   {
     auto next = std::make_unique<Embedded_features_3>(complex, std::move(mesh), edge);
-    if(!next->embedding.run(budget)
+    if(!next->embedding.run(budget, curves_given_up)
        || (is_for_room && next->embedding.number_given_up() >= result->embedding.number_given_up()))
       return result;
     if(result) // sheets that cross add more than both alone
@@ -234,21 +235,54 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
   }
 }
 
+// Returns a curve near each hexahedron that is inverted or not usable: of those within an edge that are not given up, the shortest
+// one, which has least room.
+inline std::set<std::size_t> curves_without_room_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
+                                                   const Hexahedra_3& mesh, const double edge)
+{
+  const std::vector<double> quality = scaled_jacobians(mesh);
+  std::set<std::size_t> result;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+  {
+    if(quality[c] >= usable_scaled_jacobian && is_positive_hexahedron(mesh.points, mesh.cells[c]))
+      continue;
+    std::pair<double, std::size_t> shortest = { (std::numeric_limits<double>::infinity)(), 0 };
+    for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+      if(!embedding.path(a).empty() && complex.line(a).nearest(center_of(mesh.points, mesh.cells[c])).first <= edge)
+        shortest = (std::min)(shortest, { complex.line(a).length(), complex.arcs()[a].curve });
+    if(std::isfinite(shortest.first))
+      result.insert(shortest.second);
+  }
+  return result;
+}
+
 // Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions. Returns none
-// if there are no paths. Vertices leave their curves only if hexahedra would not be usable otherwise.
+// if there are no paths. Vertices leave their curves only if hexahedra would not be usable otherwise. As long as they are not,
+// curves near these are given up.
 inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                              const Hexahedra_3& start, const double edge, Linear_solver_3& solver,
                                              const bool is_parallel, const Budget& budget)
 {
+  constexpr int number_of_rounds = 4; // a guess
   Best_hexahedra_3 result = { edge, {}, {}, Staircases::NONE };
-  const auto features = embedded_features_3(complex, start, edge, budget);
-  if(!features)
-    return result;
-  const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, boundary);
-  Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
-  for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
-    if(!is_at_least(result.result, usable_scaled_jacobian))
-      Hexahedra_improvement_3(hexahedra, true, budget, result, bound_of_lines).run(false);
+  std::set<std::size_t> curves_given_up;
+  for(int round = 0; round < number_of_rounds; ++round)
+  {
+    const auto features = embedded_features_3(complex, start, edge, budget, curves_given_up);
+    if(!features)
+      return result;
+    const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, boundary);
+    Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
+    Best_hexahedra_3 next = { edge, {}, {}, Staircases::NONE };
+    for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
+      if(!is_at_least(next.result, usable_scaled_jacobian))
+        Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run(false);
+    result.take(next.result, next.mesh);
+    const std::set<std::size_t> curves = curves_without_room_3(complex, features->embedding, next.mesh, edge);
+    if(is_at_least(result.result, usable_scaled_jacobian) || curves.empty())
+      break;
+    curves_given_up.insert(curves.begin(), curves.end());
+  }
   return result;
 }
 

@@ -84,9 +84,7 @@ private:
         centers.try_emplace({ v, m_parts[q.cell] }, Vector_3::Zero(), 0);
     for(std::size_t c = 0; c < m_domain.cells.size(); ++c)
     {
-      Vector_3 center = Vector_3::Zero();
-      for(const std::size_t v : m_domain.cells[c])
-        center += m_domain.points[v] / 8;
+      const Vector_3 center = center_of(m_domain.points, m_domain.cells[c]);
       for(const std::size_t v : m_domain.cells[c])
         if(const auto found = centers.find({ v, m_parts[c] }); found != centers.end())
         {
