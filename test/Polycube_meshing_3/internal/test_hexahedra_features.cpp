@@ -249,6 +249,31 @@ TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those 
   CHECK_THROWS_AS(PM::IO::write_MEDIT(medit, mesh), VMP::Input_error);
 }
 
+// A body with the same top has a lower half of another material, with a plane between both.
+TEST_CASE("Hexahedra of two subdomains keep the features of the boundary, their interface and their volumes")
+{
+  Body body(6, 0, [](const Vector3d& p) -> Vector3d
+            { return { p[0], p[1], p[2] - 0.16 * std::abs(p[0] - p[1]) * (std::max)(0., p[2] - 3) }; });
+  for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
+    body.soup.cell_references[c] = body.center_of_image(body.soup.cells[c])[2] < 3 ? 1 : 2;
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  REQUIRE(result.status == VMP::OK);
+  const PM::Hexahedral_mesh_features& features = result.features;
+  CHECK(features.number_of_corners == 8);
+  CHECK(features.number_of_curves == 13);
+  CHECK(features.number_of_patches == 7);
+  CHECK(features.number_of_corners_kept == 8);
+  CHECK(features.number_of_curves_kept == 13);
+  CHECK(features.number_of_patches_kept == 7);
+  CHECK(result.minimum_scaled_jacobian > 0.1);
+  CHECK(result.interface_distance < 1e-9);
+  REQUIRE(result.volumes.size() == 2);
+  for(const PM::Subdomain_volumes& volumes : result.volumes)
+    CHECK(volumes.of_hexahedra == Approx(volumes.of_tetrahedra).epsilon(1e-4));
+}
+
 // A side of a plate leans over by 86 degrees, and the top has a ridge along the diagonal.
 TEST_CASE("Hexahedra keep features of a body with sharp edges, although these make them nearly flat")
 {
@@ -314,7 +339,7 @@ struct Rectangles_on_cube
   explicit Rectangles_on_cube(const std::vector<std::array<double, 4> >& rectangles) // ranges of x and y
   {
     Hexahedron_soup_3 soup;
-    REQUIRE(body.mesh(2, soup).status == VMP::OK);
+    REQUIRE(PM::make_hexahedral_mesh_3(body.soup, body.images, 2, soup).status == VMP::OK);
     hexahedra = hexahedra_of(soup);
     for(std::size_t v = 0; v < body.images.size(); ++v)
       vertex_at[body.images[v]] = v;

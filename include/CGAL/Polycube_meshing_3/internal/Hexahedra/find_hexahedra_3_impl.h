@@ -100,7 +100,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
       if(may_fit && best.result.has_valid_mesh)
       {
         may_fit = false; // it takes as long as all else
-        if(const auto with_features = hexahedra_with_features_3(problem, body, best, budget))
+        if(const auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget))
           return *with_features;
       }
       improvement.polish();
@@ -158,9 +158,14 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   Best_hexahedra_3 best = problem.do_keep_interfaces && !interfaces.empty() && !budget.is_exhausted()
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
-  if(best.result.has_valid_mesh && interfaces.empty() && !best.has_features) // may have room that the first valid ones lacked
-    if(auto with_features = hexahedra_with_features_3(problem, body, best, budget))
+  const bool may_fit = interfaces.empty() || best.staircases != Staircases::ASKED;
+  if(best.result.has_valid_mesh && !best.has_features && may_fit) // may have room that the first valid ones lacked
+    if(auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget))
+    {
       best = std::move(*with_features);
+      if(best.staircases == Staircases::NONE)
+        keep_volumes_3(body, interfaces, best.mesh);
+    }
   put_on_planes(body.surface, best.mesh);
   return found_hexahedra_3(problem, body, interfaces, best, budget);
 }

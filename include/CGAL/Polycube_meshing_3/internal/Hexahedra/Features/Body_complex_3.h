@@ -48,16 +48,18 @@ struct Corner_3
 };
 
 // Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
-// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. Arcs
-// that leave a corner as sides of a needle share their first part, as long as they are within a distance of each other. Corners
-// of an arc that is shorter than this distance are one corner.
+// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. For
+// paths in hexahedra, of edges with a width, edges between subdomains are curves, too. Arcs that leave a corner as sides of a
+// needle share their first part, as long as they are within the width. Corners of an arc that is shorter are one corner.
 class Body_complex_3
 {
 public:
   Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0)
-    : m_points(points), m_facets(boundary_facets_3(soup.cells))
+    : m_points(points), m_facets(boundary_facets_3(soup.cells)), m_subdomains(subdomains_of_facets(soup))
   {
-    const std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
+    std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
+    if(width_without_room > 0)
+      add_borders_of_subdomains(edges);
     m_patches = patches_of_facets(m_facets, edges);
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
@@ -78,6 +80,7 @@ public:
   const std::vector<Corner_3>& corners() const { return m_corners; }
   const Polyline_3& line(const std::size_t arc) const { return m_lines[arc]; }
   const Body_surface_3& surface(const std::size_t patch) const { return *m_surfaces[patch]; }
+  int subdomain(const std::size_t patch) const { return m_subdomains_of_patches[patch]; }
 
   // Returns the corner where an arc ends.
   std::size_t corner(const End_of_arc_3& end) const { return m_corners_of_arcs[end.arc][end.side]; }
@@ -108,6 +111,30 @@ public:
 
 private:
   using Edge = std::array<std::size_t, 2>;
+
+  std::vector<int> subdomains_of_facets(const Mapped_soup_3& soup) const
+  {
+    std::map<std::array<std::size_t, 3>, int> references;
+    for(std::size_t c = 0; c < soup.cells.size(); ++c)
+      for(std::size_t i = 0; i < 4; ++i)
+        references[sorted(facet_of_cell(soup.cells[c], i))] = soup.cell_references[c];
+    std::vector<int> result;
+    for(const std::array<std::size_t, 3>& facet : m_facets)
+      result.push_back(references.at(sorted(facet)));
+    return result;
+  }
+
+  // Adds the edges between facets of two subdomains to sorted edges.
+  void add_borders_of_subdomains(std::vector<Edge>& edges) const
+  {
+    for_each_edge(m_facets, [&](const auto begin, const auto end)
+    {
+      if(m_subdomains[begin->second[0] / 3] != m_subdomains[(end - 1)->second[0] / 3])
+        edges.push_back(begin->first);
+    });
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  }
 
   std::size_t patch_on_left(const std::size_t v, const std::size_t w) const
   {
@@ -369,10 +396,14 @@ private:
     for(std::size_t patch = 0; patch < n; ++patch)
       m_surfaces.push_back(
         std::make_unique<Body_surface_3>(m_points, facets_of({ patch }), std::vector<std::array<std::size_t, 2> >()));
+    m_subdomains_of_patches.resize(n);
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      m_subdomains_of_patches[m_patches[f]] = m_subdomains[f];
   }
 
   std::vector<Vector_3> m_points;
   const std::vector<std::array<std::size_t, 3> > m_facets;
+  const std::vector<int> m_subdomains; // of each facet
   std::vector<std::size_t> m_patches; // of each facet
   std::map<Edge, std::size_t> m_left; // facet on the left of a directed edge
   std::size_t m_number_of_curves = 0;
@@ -382,6 +413,7 @@ private:
   std::map<std::size_t, std::size_t> m_numbers; // of corners, by their vertices
   std::vector<std::array<std::size_t, 2> > m_corners_of_arcs;
   std::vector<std::unique_ptr<Body_surface_3> > m_surfaces; // of patches
+  std::vector<int> m_subdomains_of_patches;
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -22,6 +22,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 // Finds vertices for corners, and disjoint paths of edges for arcs, on the boundary of hexahedra. The paths meet at corners in
 // the order of the body. Arcs compete for vertices, whose prices grow as long as several arcs use them (McMurchie and Ebeling,
 // PathFinder, 1995). If that does not end, the curve with the most conflicts is given up. The patches beside it are one region.
+// Paths have the subdomains of their patches beside them: those of the hexahedra do not change.
 class Feature_embedding_3
 {
 public:
@@ -135,6 +136,16 @@ private:
     return found->second;
   }
 
+  int subdomain(const std::size_t quadrangle) const { return m_mesh.cell_references[m_mesh.facet_cells[quadrangle]]; }
+
+  // Returns whether an edge is between the subdomains that an arc is between.
+  bool has_subdomains(const std::size_t e, const std::size_t arc) const
+  {
+    const auto& [left, right] = m_complex.arcs()[arc].patches;
+    return subdomain(m_graph.left(e)) == m_complex.subdomain(left)
+           && subdomain(m_graph.left(m_graph.opposite(e))) == m_complex.subdomain(right);
+  }
+
   // Returns the arcs that end in a corner and are not given up.
   std::vector<End_of_arc_3> ends(const std::size_t corner) const
   {
@@ -184,13 +195,17 @@ private:
 
   double cost_of_corner(const std::size_t c, const std::size_t v) const
   {
-    constexpr double price_of_edge = 1.5, price_of_normals = 0.7; // guesses
+    constexpr double price_of_edge = 1.5, price_of_normals = 0.7, price_of_subdomains = 10; // guesses
     const Corner_3& corner = m_complex.corners()[c];
     const Vector_3& p = m_complex.points()[corner.vertex];
     const double missing = static_cast<double>(corner.ends.size()) - static_cast<double>(m_graph.degree(v));
     double turn = 0;
+    std::set<int> subdomains, subdomains_of_corner;
+    for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
+      subdomains.insert(subdomain(m_graph.left(e)));
     for(const End_of_arc_3& end : corner.ends)
     {
+      subdomains_of_corner.insert(m_complex.subdomain(patch_beside(end, true)));
       const Vector_3 normal = m_complex.surface(patch_beside(end, true)).normal(p);
       double least = 2;
       for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
@@ -198,7 +213,7 @@ private:
       turn += least / static_cast<double>(corner.ends.size());
     }
     return (m_mesh.points[v] - p).squaredNorm() / (m_edge * m_edge) + price_of_edge * (std::max)(0., missing)
-           + price_of_normals * turn;
+           + price_of_normals * turn + price_of_subdomains * (subdomains != subdomains_of_corner);
   }
 
   // Chooses the edge by which each arc should leave a corner: those of the least sum of costs in the order of the body.
@@ -259,7 +274,7 @@ private:
     return m_graph.shortest_path(source, target, [&](const std::size_t e)
     {
       const std::size_t v = m_graph.source(e), w = m_graph.target(e);
-      if(w == source || (w != target && m_corner_at[w] != none && is_used(m_corner_at[w])))
+      if(w == source || (w != target && m_corner_at[w] != none && is_used(m_corner_at[w])) || !has_subdomains(e, arc))
         return (std::numeric_limits<double>::max)();
       double result = cost(e, arc);
       if(w != target)

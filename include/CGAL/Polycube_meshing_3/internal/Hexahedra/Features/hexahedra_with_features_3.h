@@ -256,24 +256,42 @@ inline std::set<std::size_t> curves_without_room_3(const Body_complex_3& complex
   return result;
 }
 
-// Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions. Returns none
-// if there are no paths. Vertices leave their curves only if hexahedra would not be usable otherwise. As long as they are not,
-// curves near these are given up.
-inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
-                                             const Hexahedra_3& start, const double edge, Linear_solver_3& solver,
-                                             const bool is_parallel, const Budget& budget)
+// Returns hexahedra with features at their places, and with their vertices inside on interfaces where these have been.
+inline Placed_hexahedra_3 on_interfaces_3(Placed_hexahedra_3 hexahedra, Body_interfaces_3& interfaces)
+{
+  std::vector<Interface_quadrangle_3> quadrangles = interface_quadrangles_3(hexahedra.mesh);
+  set_patches(hexahedra.mesh, interfaces, quadrangles);
+  const Placed_hexahedra_3 others = placed_hexahedra_3(hexahedra.mesh, quadrangles, interfaces);
+  for(std::size_t v = 0; v < others.positions.size(); ++v)
+    if(!hexahedra.positions[v].is_on_boundary)
+    {
+      hexahedra.positions[v] = others.positions[v];
+      hexahedra.mesh.points[v] = others.mesh.points[v];
+    }
+  hexahedra.covered.insert(hexahedra.covered.end(), others.covered.begin() + 1, others.covered.end());
+  return hexahedra;
+}
+
+// Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions, on
+// interfaces unless these are staircases. Returns none if there are no paths. Vertices leave their curves only if hexahedra
+// would not be usable otherwise. As long as they are not, curves near these are given up.
+inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, Body_interfaces_3& interfaces,
+                                             const Best_hexahedra_3& start, Linear_solver_3& solver, const bool is_parallel,
+                                             const Budget& budget)
 {
   constexpr int number_of_rounds = 4; // a guess
-  Best_hexahedra_3 result = { edge, {}, {}, Staircases::NONE };
+  const double edge = start.edge;
+  Best_hexahedra_3 result = { edge, {}, {}, start.staircases };
   std::set<std::size_t> curves_given_up;
   for(int round = 0; round < number_of_rounds; ++round)
   {
-    const auto features = embedded_features_3(complex, start, edge, budget, curves_given_up);
+    const auto features = embedded_features_3(complex, start.mesh, edge, budget, curves_given_up);
     if(!features)
       return result;
-    const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, boundary);
-    Sliding_hexahedra_3 hexahedra(placed.result(), solver, is_parallel, budget);
-    Best_hexahedra_3 next = { edge, {}, {}, Staircases::NONE };
+    const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, interfaces.boundary());
+    Sliding_hexahedra_3 hexahedra(start.staircases == Staircases::NONE ? on_interfaces_3(placed.result(), interfaces)
+                                                                       : placed.result(), solver, is_parallel, budget);
+    Best_hexahedra_3 next = { edge, {}, {}, start.staircases };
     for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
       if(!is_at_least(next.result, usable_scaled_jacobian))
         Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run(false);
@@ -293,10 +311,11 @@ inline bool may_replace(const Best_hexahedra_3& others, const Hexahedral_mesh_re
     && with_features.boundary_distance <= (std::max)(largest_distance * others.edge, others.result.boundary_distance);
 }
 
-// Returns hexahedra with more features of the body than others have; none if these may not replace the others.
+// Returns hexahedra with more features of the body than others have, and with interfaces not farther from them beyond a tolerance;
+// none if these may not replace the others.
 inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
-                                                                 const Body_with_domain_3& body, const Best_hexahedra_3& others,
-                                                                 const Budget& budget)
+                                                                 const Body_with_domain_3& body, Body_interfaces_3& interfaces,
+                                                                 const Best_hexahedra_3& others, const Budget& budget)
 {
   const Body_complex_3 complex(body.soup, body.points);
   const Hexahedral_mesh_features before = kept_features_3(complex, body.surface, others.mesh, others.edge);
@@ -304,10 +323,11 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
     return std::nullopt;
   constexpr double width_without_room = 0.09; // a guess; in edges
   const Body_complex_3 with_room(body.soup, body.points, width_without_room * others.edge);
-  Best_hexahedra_3 result
-    = fitted_to_features_3(with_room, body.surface, others.mesh, others.edge, problem.solver, body.is_parallel, budget);
+  Best_hexahedra_3 result = fitted_to_features_3(with_room, interfaces, others, problem.solver, body.is_parallel, budget);
   if(!may_replace(others, result.result, problem.minimum_scaled_jacobian)
-     || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before))
+     || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before)
+     || interface_distance_3(result.mesh, interfaces).distance
+          > (std::max)(tolerance_of_interfaces * others.edge, interface_distance_3(others.mesh, interfaces).distance))
     return std::nullopt;
   const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
   result.mesh.images.resize(result.mesh.points.size());
