@@ -131,7 +131,7 @@ in which a quadrangle would have two edges on a smooth curve. If a curve has mor
 hexahedra across the path are cut in two. So are sheets where curves were given up because others left no room, if fewer curves
 are given up then. These add at most half of the hexahedra. Vertices stay at bends. All others move along curves, in patches and
 on interfaces. If a scaled Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices leave curves. If this is
-not enough, the shortest curve near each such hexahedron is given up, up to four times. The mesh is taken if it is valid, no
+not enough, the shortest curve near each such hexahedron is given up, up to three times. The mesh is taken if it is valid, no
 scaled Jacobian is below `minimum_scaled_jacobian`, its boundary is at most half an edge off that of the body, or no farther than
 before, and it keeps more features. Interfaces must be within a tenth of an edge, or no farther than before. This is tried with
 the first valid hexahedra of one subdomain, and if it fails, or there are several, with the best ones. If both fail, the mesh
