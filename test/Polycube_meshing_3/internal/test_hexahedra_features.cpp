@@ -208,6 +208,17 @@ TEST_CASE("Of marked corners nearer to each other than hexahedra are wide, those
   CHECK(result.message.find("Of 3 marked corners, 2 have no vertex, among them the one at (") != std::string::npos);
 }
 
+// A cube whose top is a ridge along the diagonal has a curve and a patch more.
+void check_all_features_of_top(const PM::Hexahedral_mesh_features& features)
+{
+  CHECK(features.number_of_corners == 8);
+  CHECK(features.number_of_curves == 13);
+  CHECK(features.number_of_patches == 7);
+  CHECK(features.number_of_corners_kept == 8);
+  CHECK(features.number_of_curves_kept == 13);
+  CHECK(features.number_of_patches_kept == 7);
+}
+
 // The top of a cube is a ridge along the diagonal, which follows no axis: four curves meet at both of its ends.
 TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those that follow no axis")
 {
@@ -218,13 +229,7 @@ TEST_CASE("Hexahedra keep the corners, curves and patches of a body, also those 
   CAPTURE(result.message, result.minimum_scaled_jacobian);
   REQUIRE(result.status == VMP::OK);
   check_boundary(mesh, body);
-  const PM::Hexahedral_mesh_features& features = result.features;
-  CHECK(features.number_of_corners == 8);
-  CHECK(features.number_of_curves == 13);
-  CHECK(features.number_of_patches == 7);
-  CHECK(features.number_of_corners_kept == 8);
-  CHECK(features.number_of_curves_kept == 13);
-  CHECK(features.number_of_patches_kept == 7);
+  check_all_features_of_top(result.features);
   CHECK(result.minimum_scaled_jacobian > 0.1);
   CHECK(enclosed_volume(mesh) == Approx(36 * 6 - 36 * 6 * 0.08 * 2).epsilon(1e-9)); // the mean of |x - y| is 2
 
@@ -260,13 +265,7 @@ TEST_CASE("Hexahedra of two subdomains keep the features of the boundary, their 
   const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
   CAPTURE(result.message, result.minimum_scaled_jacobian);
   REQUIRE(result.status == VMP::OK);
-  const PM::Hexahedral_mesh_features& features = result.features;
-  CHECK(features.number_of_corners == 8);
-  CHECK(features.number_of_curves == 13);
-  CHECK(features.number_of_patches == 7);
-  CHECK(features.number_of_corners_kept == 8);
-  CHECK(features.number_of_curves_kept == 13);
-  CHECK(features.number_of_patches_kept == 7);
+  check_all_features_of_top(result.features);
   CHECK(result.minimum_scaled_jacobian > 0.1);
   CHECK(result.interface_distance < 1e-9);
   REQUIRE(result.volumes.size() == 2);

@@ -55,11 +55,12 @@ class Body_complex_3
 {
 public:
   Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0)
-    : m_points(points), m_facets(boundary_facets_3(soup.cells)), m_subdomains(subdomains_of_facets(soup))
+    : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
+    const std::vector<int> subdomains = subdomains_of_facets(soup);
     std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
     if(width_without_room > 0)
-      add_borders_of_subdomains(edges);
+      add_borders(subdomains, edges);
     m_patches = patches_of_facets(m_facets, edges);
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
@@ -70,6 +71,9 @@ public:
       share_needles(width_without_room);
     }
     find_surfaces();
+    m_subdomains.resize(m_surfaces.size());
+    for(std::size_t f = 0; f < m_facets.size(); ++f)
+      m_subdomains[m_patches[f]] = subdomains[f];
   }
 
   bool is_manifold() const { return m_left.size() == 3 * m_facets.size(); } // with one facet on the left of each directed edge
@@ -80,7 +84,7 @@ public:
   const std::vector<Corner_3>& corners() const { return m_corners; }
   const Polyline_3& line(const std::size_t arc) const { return m_lines[arc]; }
   const Body_surface_3& surface(const std::size_t patch) const { return *m_surfaces[patch]; }
-  int subdomain(const std::size_t patch) const { return m_subdomains_of_patches[patch]; }
+  int subdomain(const std::size_t patch) const { return m_subdomains[patch]; }
 
   // Returns the corner where an arc ends.
   std::size_t corner(const End_of_arc_3& end) const { return m_corners_of_arcs[end.arc][end.side]; }
@@ -125,11 +129,11 @@ private:
   }
 
   // Adds the edges between facets of two subdomains to sorted edges.
-  void add_borders_of_subdomains(std::vector<Edge>& edges) const
+  void add_borders(const std::vector<int>& subdomains, std::vector<Edge>& edges) const
   {
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
-      if(m_subdomains[begin->second[0] / 3] != m_subdomains[(end - 1)->second[0] / 3])
+      if(subdomains[begin->second[0] / 3] != subdomains[(end - 1)->second[0] / 3])
         edges.push_back(begin->first);
     });
     std::sort(edges.begin(), edges.end());
@@ -396,14 +400,10 @@ private:
     for(std::size_t patch = 0; patch < n; ++patch)
       m_surfaces.push_back(
         std::make_unique<Body_surface_3>(m_points, facets_of({ patch }), std::vector<std::array<std::size_t, 2> >()));
-    m_subdomains_of_patches.resize(n);
-    for(std::size_t f = 0; f < m_facets.size(); ++f)
-      m_subdomains_of_patches[m_patches[f]] = m_subdomains[f];
   }
 
   std::vector<Vector_3> m_points;
   const std::vector<std::array<std::size_t, 3> > m_facets;
-  const std::vector<int> m_subdomains; // of each facet
   std::vector<std::size_t> m_patches; // of each facet
   std::map<Edge, std::size_t> m_left; // facet on the left of a directed edge
   std::size_t m_number_of_curves = 0;
@@ -413,7 +413,7 @@ private:
   std::map<std::size_t, std::size_t> m_numbers; // of corners, by their vertices
   std::vector<std::array<std::size_t, 2> > m_corners_of_arcs;
   std::vector<std::unique_ptr<Body_surface_3> > m_surfaces; // of patches
-  std::vector<int> m_subdomains_of_patches;
+  std::vector<int> m_subdomains; // of patches
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -296,8 +296,10 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, Body
       if(!is_at_least(next.result, usable_scaled_jacobian))
         Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run(false);
     result.take(next.result, next.mesh);
+    if(is_at_least(result.result, usable_scaled_jacobian))
+      break;
     const std::set<std::size_t> curves = curves_without_room_3(complex, features->embedding, next.mesh, edge);
-    if(is_at_least(result.result, usable_scaled_jacobian) || curves.empty())
+    if(curves.empty())
       break;
     curves_given_up.insert(curves.begin(), curves.end());
   }
