@@ -72,14 +72,22 @@ inline bool is_crumpled(const Numbered_mesh_3& mesh, const Found_map_3& found)
   return !found.map.is_solution() || largest_angle_distortion_3(mesh, found.map.positions) > large_distortion;
 }
 
-// Moves handles to their targets in stages, each from the last map. Returns nothing if a stage has no map.
-inline std::optional<Found_map_3> find_map_in_stages_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem)
+// Moves handles to their targets in stages, each from the last map. Returns nothing if a stage has no map. If there is a map
+// without stages, none before the last one takes more steps than that did.
+inline std::optional<Found_map_3> find_map_in_stages_3(const Numbered_mesh_3& mesh, const Map_problem_3& problem,
+                                                       const bool has_map)
 {
   constexpr double coarse = 0.1; // a guess for the tolerance of stages before the last one
   const Staged_targets_3 targets(mesh);
   const int number_of_stages = targets.number_of_stages();
   if(number_of_stages == 1)
     return std::nullopt;
+  const std::size_t number_of_steps = problem.progress.effort().number_of_iterations;
+  Progress_3 some_steps(problem.progress.budget(), number_of_steps, [&](const Parameterization_step& step)
+  {
+    problem.progress.after_step(step);
+    return true;
+  });
   std::optional<Found_map_3> found;
   for(int stage = 1; stage <= number_of_stages; ++stage)
   {
@@ -89,7 +97,8 @@ inline std::optional<Found_map_3> find_map_in_stages_3(const Numbered_mesh_3& me
     Map_options_3 options = problem.options;
     if(!is_last)
       options.energy_tolerance = (std::max)(coarse, options.energy_tolerance);
-    found = find_map_from_start_3(at_stage, { options, problem.energy, problem.solver, problem.progress }, Search_start_3());
+    Progress_3& progress = has_map && !is_last ? some_steps : problem.progress;
+    found = find_map_from_start_3(at_stage, { options, problem.energy, problem.solver, progress }, Search_start_3());
     if(!found->map.is_solution() || (problem.progress.is_interrupted() && !is_last))
       return std::nullopt;
   }
@@ -107,9 +116,15 @@ inline Found_map_3 find_map_with_fixed_boundary_3(const Numbered_mesh_3& mesh, c
     return found;
   const auto energy = [&](const Found_map_3& f) { return mean_energy_3(mesh, f.map.positions, problem.energy); };
   if(mesh.initial.cols() == 0 && start.stage == Search_start_3::Stage::NONE && is_crumpled(mesh, found))
-    if(std::optional<Found_map_3> staged = find_map_in_stages_3(mesh, problem); staged
-       && (!found.map.is_solution() || energy(*staged) < energy(found)))
+  {
+    const bool has_map = found.map.is_solution();
+    const double seconds = problem.progress.effort().seconds_to_flip_free;
+    if(std::optional<Found_map_3> staged = find_map_in_stages_3(mesh, problem, has_map); staged
+       && (!has_map || energy(*staged) < energy(found)))
       found = std::move(*staged);
+    if(has_map)
+      problem.progress.reach_flip_free(seconds);
+  }
   return found.map.is_solution() ? nearest_to_source_3(mesh, problem, std::move(found)) : found;
 }
 

@@ -104,8 +104,9 @@ public:
   void end_start() { add_lap(m_effort.seconds_start); }
   void end_check() { m_lap = seconds(); }
 
-  // Notes that no cell is inverted from now on, or from the next step that untangles on.
-  void reach_flip_free() { m_effort.seconds_to_flip_free = seconds(); }
+  // Notes that no cell is inverted from now on, or from the next step that untangles on, or was from a time on.
+  void reach_flip_free() { reach_flip_free(seconds()); }
+  void reach_flip_free(const double time) { m_effort.seconds_to_flip_free = time; }
 
 private:
   void add_lap(double& sum)
