@@ -79,8 +79,8 @@ struct Complex_with_diagonal
   std::vector<VMP::internal::Vector_3> points;
   PM::internal::Body_complex_3 complex;
 
-  Complex_with_diagonal(Body body, const int n, const Vector3d& first, const double width)
-    : points(VMP::internal::vectors_of(body.soup.points)), complex(marked(body, n, first), points, width)
+  Complex_with_diagonal(Body body, const int n, const Vector3d& first, const double width, const double length_of_needles = 8)
+    : points(VMP::internal::vectors_of(body.soup.points)), complex(marked(body, n, first), points, width, length_of_needles)
   {}
 
   static PM::internal::Mapped_soup_3 marked(Body& body, const int n, const Vector3d& first)
@@ -501,7 +501,7 @@ TEST_CASE("Both ends of a short arc are one corner of a complex if that is asked
   CHECK(number_of_ends == 26);
 }
 
-// Between the diagonal and long edges of the top, there are 5.7 degrees.
+// Between the diagonal and long edges of the top, there are 5.7 degrees: they are within 0.1 for a length of 1.
 TEST_CASE("Sides of a needle share their first part in a complex if that is asked for")
 {
   const Body body(8, 0, [](const Vector3d& p) -> Vector3d { return { p[0], p[1] / 10, p[2] }; });
@@ -521,4 +521,6 @@ TEST_CASE("Sides of a needle share their first part in a complex if that is aske
       ++number_of_new_corners;
     }
   CHECK(number_of_new_corners == 2);
+  CHECK(Complex_with_diagonal(body, 8, { 0, 0, 8 }, 0.1, 9).complex.arcs().size() == 15);
+  CHECK(Complex_with_diagonal(body, 8, { 0, 0, 8 }, 0.1, 11).complex.arcs().size() == 13);
 }

@@ -50,11 +50,13 @@ struct Corner_3
 // Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
 // as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. For
 // paths in hexahedra, of edges with a width, edges between subdomains are curves, too. Arcs that leave a corner as sides of a
-// needle share their first part, as long as they are within the width. Corners of an arc that is shorter are one corner.
+// needle share their first part, as long as they are within the width, if it has some length, in widths: hexahedra between them
+// would share the angle. Corners of an arc that is shorter than the width are one corner.
 class Body_complex_3
 {
 public:
-  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0)
+  Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0,
+                 const double length_of_needles = 8)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
   {
     const std::vector<int> subdomains = subdomains_of_facets(soup);
@@ -68,7 +70,7 @@ public:
     if(width_without_room > 0 && is_manifold())
     {
       contract_short_arcs(width_without_room);
-      share_needles(width_without_room);
+      share_needles(width_without_room, length_of_needles * width_without_room);
     }
     find_surfaces();
     m_subdomains.resize(m_surfaces.size());
@@ -289,20 +291,19 @@ private:
     m_corners_of_arcs.erase(m_corners_of_arcs.begin() + a);
   }
 
-  void share_needles(const double width)
+  void share_needles(const double width, const double least_length)
   {
     const std::size_t n = m_corners.size();
     for(std::size_t c = 0; c < n; ++c)
       for(std::size_t i = 0; i < m_corners[c].ends.size() && m_corners[c].ends.size() > 1; )
-        if(!share_needle(c, i, width))
+        if(!share_needle(c, i, width, least_length))
           ++i;
   }
 
   // Lets end i at a corner and the next one share their first part, up to a new corner: hexahedra have no room between them.
   // The one that bends less is kept. Returns whether the part is long enough.
-  bool share_needle(const std::size_t c, const std::size_t i, const double width)
+  bool share_needle(const std::size_t c, const std::size_t i, const double width, const double least_length)
   {
-    constexpr double least_length = 8; // a guess; in widths: needles have less than about 7 degrees
     const std::size_t next = (i + 1) % m_corners[c].ends.size();
     End_of_arc_3 kept = m_corners[c].ends[i], other = m_corners[c].ends[next];
     if(kept.arc == other.arc)
@@ -312,7 +313,7 @@ private:
       std::swap(kept, other);
     const double of_other = shared_length(kept, other, width), along = m_lines[kept.arc].nearest(point_at(other, of_other)).second,
                  shared = length_from(kept, along);
-    if(shared < least_length * width || m_lines[kept.arc].length() - shared < 2 * width
+    if(shared < least_length || m_lines[kept.arc].length() - shared < 2 * width
        || m_lines[other.arc].length() - of_other < 2 * width)
       return false;
     m_points.push_back(m_lines[kept.arc].point(along));

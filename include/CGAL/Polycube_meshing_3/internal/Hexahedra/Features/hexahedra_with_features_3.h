@@ -18,6 +18,8 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Hexahedra_improvement_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Layer_choice_3.h>
 
+#include <array>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -275,9 +277,9 @@ inline Placed_hexahedra_3 on_interfaces_3(Placed_hexahedra_3 hexahedra, Body_int
 // Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions, on
 // interfaces unless these are staircases. Returns none if there are no paths. Vertices leave their curves only if hexahedra
 // would not be usable otherwise. As long as they are not, curves near these are given up.
-inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, Body_interfaces_3& interfaces,
-                                             const Best_hexahedra_3& start, Linear_solver_3& solver, const bool is_parallel,
-                                             const Budget& budget)
+inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std::unique_ptr<Embedded_features_3> features,
+                                             Body_interfaces_3& interfaces, const Best_hexahedra_3& start, Linear_solver_3& solver,
+                                             const bool is_parallel, const Budget& budget)
 {
   constexpr int number_of_rounds = 4; // a guess
   const double edge = start.edge;
@@ -285,7 +287,8 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, Body
   std::set<std::size_t> curves_given_up;
   for(int round = 0; round < number_of_rounds; ++round)
   {
-    const auto features = embedded_features_3(complex, start.mesh, edge, budget, curves_given_up);
+    if(round > 0)
+      features = embedded_features_3(complex, start.mesh, edge, budget, curves_given_up);
     if(!features)
       return result;
     const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, interfaces.boundary());
@@ -306,6 +309,36 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, Body
   return result;
 }
 
+// Complex of a body, with paths for its arcs in hexahedra; there may be none.
+struct Complex_with_paths_3
+{
+  std::unique_ptr<Body_complex_3> complex;
+  std::unique_ptr<Embedded_features_3> features;
+
+  std::ptrdiff_t number_given_up() const
+  { return features ? features->embedding.number_given_up() : (std::numeric_limits<std::ptrdiff_t>::max)(); }
+};
+
+// Returns a complex whose needles share edges of hexahedra. Needles of up to 11 degrees do if no arc is given up for that;
+// otherwise only those below 7 degrees, unless more arcs are given up then.
+inline Complex_with_paths_3 complex_with_paths_3(const Body_with_domain_3& body, const Best_hexahedra_3& others,
+                                                 const Budget& budget)
+{
+  constexpr double width_without_room = 0.09;                    // a guess; in edges
+  constexpr std::array<double, 2> lengths_of_needles = { 5, 8 }; // guesses; in widths
+  Complex_with_paths_3 best;
+  for(const double length : lengths_of_needles)
+    if(best.number_given_up() > 0)
+    {
+      Complex_with_paths_3 next
+        = { std::make_unique<Body_complex_3>(body.soup, body.points, width_without_room * others.edge, length), nullptr };
+      next.features = embedded_features_3(*next.complex, others.mesh, others.edge, budget);
+      if(!best.complex || next.number_given_up() < best.number_given_up())
+        best = std::move(next);
+    }
+  return best;
+}
+
 // Returns whether hexahedra with features may replace others: they are not poor, and no boundary is too far from the other one.
 inline bool may_replace(const Best_hexahedra_3& others, const Hexahedral_mesh_result& with_features, const double minimum)
 {
@@ -323,9 +356,9 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
   const Hexahedral_mesh_features before = kept_features_3(complex, body.surface, others.mesh, others.edge);
   if(number_of_kept(before) == number_of_features(before))
     return std::nullopt;
-  constexpr double width_without_room = 0.09; // a guess; in edges
-  const Body_complex_3 with_room(body.soup, body.points, width_without_room * others.edge);
-  Best_hexahedra_3 result = fitted_to_features_3(with_room, interfaces, others, problem.solver, body.is_parallel, budget);
+  Complex_with_paths_3 with_paths = complex_with_paths_3(body, others, budget);
+  Best_hexahedra_3 result = fitted_to_features_3(*with_paths.complex, std::move(with_paths.features), interfaces, others,
+                                                 problem.solver, body.is_parallel, budget);
   if(!may_replace(others, result.result, problem.minimum_scaled_jacobian)
      || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before)
      || interface_distance_3(result.mesh, interfaces).distance
