@@ -96,15 +96,17 @@ def angle_distortion(x, u):
 
 
 def distortions(source, image):
-    """Daa, Dma, Dav, Dmv: means by volume, and maxima."""
-    volumes = [determinant(*[source.points[v] for v in cell])[0] for cell in source.cells]
-    images = [determinant(*[image.points[v] for v in cell])[0] for cell in source.cells]
+    """Daa, Dma, Dav, Dmv: means by volume, and maxima, which are infinite if a cell of the source is flat in doubles."""
+    cells = [cell for cell in source.cells if determinant(*[source.points[v] for v in cell])[0] != 0]
+    largest = [float("inf")] if len(cells) < len(source.cells) else []
+    volumes = [determinant(*[source.points[v] for v in cell])[0] for cell in cells]
+    images = [determinant(*[image.points[v] for v in cell])[0] for cell in cells]
     total, scale = sum(volumes), sum(volumes) / sum(images)
-    angles = [angle_distortion(edges(source.points, cell), edges(image.points, cell)) for cell in source.cells]
+    angles = [angle_distortion(edges(source.points, cell), edges(image.points, cell)) for cell in cells]
     ratios = [scale * b / a for a, b in zip(volumes, images)]
     stretched = [r + 1 / r for r in ratios]
-    return {"angle_mean": sum(v * x for v, x in zip(volumes, angles)) / total, "angle_max": max(angles),
-            "volume_mean": sum(v * x for v, x in zip(volumes, stretched)) / total, "volume_max": max(stretched)}
+    return {"angle_mean": sum(v * x for v, x in zip(volumes, angles)) / total, "angle_max": max(angles + largest),
+            "volume_mean": sum(v * x for v, x in zip(volumes, stretched)) / total, "volume_max": max(stretched + largest)}
 
 
 def judge(case, folder):

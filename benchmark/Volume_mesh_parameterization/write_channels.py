@@ -3,8 +3,9 @@
 
 write_channels.py PARAMETERIZE_MESH_FILE FOLDER
 
-A block has 24 x 22 x 8 voxels of six tetrahedra. Its channel is one voxel wide, and ends four voxels before a side. Its walls
-become a small part of the sphere, around which all cells must pass. The targets are the boundary of a map that the program finds.
+A block has 24 x 22 x 8 voxels of six tetrahedra. Its channel is one voxel wide, and ends four voxels, or (thin) one voxel, before a
+side. Its walls become a small part of the sphere, around which all cells must pass. The targets are the boundary of a map that the
+program finds.
 """
 import itertools
 import subprocess
@@ -16,7 +17,12 @@ from check_map import orientation, read_mesh
 from public_sets import write_case
 
 SIZE = (24, 22, 8)
-CHANNELS = {"straight": [(0, 6, 2), (19, 6, 2)], "bent": [(0, 6, 2), (14, 6, 2), (14, 17, 2)]}
+
+
+def channels(plug):
+    """The corners of each channel, which ends so many voxels before a side."""
+    return {"straight": [(0, 6, 2), (23 - plug, 6, 2)], "L": [(0, 6, 2), (14, 6, 2), (14, 21 - plug, 2)],
+            "U": [(0, 6, 2), (18, 6, 2), (18, 14, 2), (1 + plug, 14, 2)]}
 
 
 def voxels_along(corners):
@@ -50,7 +56,8 @@ def positions_in_ball(driver, mesh):
 
 def main(driver, folder):
     folder.mkdir(parents=True, exist_ok=True)
-    for name, corners in CHANNELS.items():
+    blocks = [*channels(4).items(), *((f"{name}_thin", corners) for name, corners in channels(1).items())]
+    for name, corners in blocks:
         channel = voxels_along(corners)
         points, cells = tetrahedra_of(voxel for voxel in itertools.product(*map(range, SIZE)) if voxel not in channel)
         mesh = write_case(folder, name, points, cells, points).source

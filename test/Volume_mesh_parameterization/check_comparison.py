@@ -97,7 +97,23 @@ def check_flat_cell(script, driver, folder):
     assert rows_of_run("--help") == rows
 
 
+def check_other_orientation(script):
+    """A refined source may have cells of the other orientation than the source, and cells that are flat in doubles."""
+    sys.path.insert(0, str(Path(script).parent))
+    from check_map import Mesh, structural_fault
+    from compare_programs import distortions
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    source = Mesh(points, [(0, 1, 2, 3)])
+    split = Mesh([*points, (0.5, 0, 0)], [(0, 4, 3, 2), (4, 1, 3, 2)])
+    assert structural_fault(source, split, split) == ""
+    assert structural_fault(source, Mesh(split.points, split.cells[:1]), Mesh(split.points, split.cells[:1])) != ""
+    flat = Mesh([*points, (0, 0, 0.5)], [(0, 1, 2, 3), (0, 1, 3, 4)])
+    found = distortions(flat, flat)
+    assert math.isinf(found["angle_max"]) and math.isclose(found["angle_mean"], 2), found
+
+
 def main(script, driver, data):
+    check_other_orientation(script)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "volmap").mkdir()
