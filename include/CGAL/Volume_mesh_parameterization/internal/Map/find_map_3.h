@@ -87,7 +87,7 @@ inline std::optional<Found_map_3> find_map_in_stages_3(const Numbered_mesh_3& me
   {
     problem.progress.after_step(step);
     return true;
-  });
+  }, *mesh.communicator);
   std::optional<Found_map_3> found;
   for(int stage = 1; stage <= number_of_stages; ++stage)
   {
