@@ -97,9 +97,10 @@ def angle_distortion(x, u):
 
 def distortions(source, image):
     """Daa, Dma, Dav, Dmv: means by volume, and maxima, which are infinite if a cell of the source is flat in doubles."""
-    cells = [cell for cell in source.cells if determinant(*[source.points[v] for v in cell])[0] != 0]
-    largest = [float("inf")] if len(cells) < len(source.cells) else []
-    volumes = [determinant(*[source.points[v] for v in cell])[0] for cell in cells]
+    volumes = [determinant(*[source.points[v] for v in cell])[0] for cell in source.cells]
+    largest = [float("inf")] if 0 in volumes else []
+    cells = [cell for cell, volume in zip(source.cells, volumes) if volume != 0]
+    volumes = [volume for volume in volumes if volume != 0]
     images = [determinant(*[image.points[v] for v in cell])[0] for cell in cells]
     total, scale = sum(volumes), sum(volumes) / sum(images)
     angles = [angle_distortion(edges(source.points, cell), edges(image.points, cell)) for cell in cells]

@@ -47,19 +47,28 @@ inline double volume_of_tetrahedron(const Body_with_domain_3& body, const std::s
   return edges.col(0).cross(edges.col(1)).dot(edges.col(2)) / 6;
 }
 
+// Measures the hexahedra of each subdomain.
+inline void measure_hexahedra(const Hexahedra_3& mesh, std::vector<Subdomain_volumes>& volumes)
+{
+  std::map<int, double> sums;
+  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+    sums[mesh.cell_references[c]] += volume_of_hexahedron(mesh, c);
+  for(Subdomain_volumes& of_reference : volumes)
+    of_reference.of_hexahedra = sums[of_reference.reference];
+}
+
 inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_domain_3& body, const Hexahedra_3& mesh)
 {
   std::map<int, Subdomain_volumes> volumes;
   for(std::size_t c = 0; c < body.soup.cells.size(); ++c)
     volumes[body.soup.cell_references[c]].of_tetrahedra += volume_of_tetrahedron(body, c);
-  for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-    volumes[mesh.cell_references[c]].of_hexahedra += volume_of_hexahedron(mesh, c);
   std::vector<Subdomain_volumes> result;
   for(auto& [reference, of_reference] : volumes)
   {
     of_reference.reference = reference;
     result.push_back(of_reference);
   }
+  measure_hexahedra(mesh, result);
   return result;
 }
 
@@ -87,6 +96,7 @@ inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& in
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     may_move[v] = patches[v].size() == 1 && !is_outer[v];
   const std::vector<double> quality = scaled_jacobians(mesh);
+  std::vector<Subdomain_volumes> volumes_of_all = volumes_of_subdomains(body, mesh);
   for(int round = 0; round < number_of_rounds; ++round)
     for(const auto& [pair, vertices] : vertices_of_pairs)
     {
@@ -94,7 +104,8 @@ inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& in
       for(const std::size_t v : vertices)
         area += may_move[v] * areas[v].norm();
       double gradient = 0, curvature = 0; // of the sum of the squares of both errors
-      for(const Subdomain_volumes& volumes : volumes_of_subdomains(body, mesh))
+      measure_hexahedra(mesh, volumes_of_all);
+      for(const Subdomain_volumes& volumes : volumes_of_all)
         if(volumes.reference == pair[0] || volumes.reference == pair[1])
         {
           const double slope = (volumes.reference == pair[0] ? area : -area) / volumes.of_tetrahedra;
