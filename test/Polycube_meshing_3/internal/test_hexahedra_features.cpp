@@ -327,6 +327,57 @@ TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
   }
 }
 
+// A quarter of a cylinder: its round side belongs to two sides of the boxes, whose common edge is no sharp one.
+TEST_CASE("The layer along the boundary stays where hexahedra do not fit the angles of the body, and ends at its curves")
+{
+  const auto round = [](const Vector3d& p) -> Vector3d
+  {
+    const double x = p[0] / 6, y = p[1] / 6;
+    return { x * std::sqrt(1 - y * y / 2), y * std::sqrt(1 - x * x / 2), p[2] / 6 };
+  };
+  const Body cube(6, 0, [](const Vector3d& p) { return p; }), body(6, 0, round);
+  Hexahedron_soup_3 boxes;
+  REQUIRE(PM::make_hexahedral_mesh_3(cube.soup, cube.images, 2, boxes).status == VMP::OK);
+  Hexahedra_3 start = hexahedra_of(boxes);
+  for(VMP::internal::Vector_3& p : start.points)
+    p = round(p);
+  const PM::internal::Body_complex_3 complex(PM::internal::Mapped_soup_3(body.soup, body.images),
+                                             VMP::internal::vectors_of(body.soup.points));
+  REQUIRE(complex.arcs().size() == 9);
+  const auto features = PM::internal::embedded_features_3(complex, start, 1 / 3., VMP::internal::Budget());
+  REQUIRE(features);
+  std::size_t number_on_round_side = 0;
+  for(const std::array<std::size_t, 4>& f : features->mesh.facets)
+  {
+    const VMP::internal::Vector_3 n = PM::internal::area_vector(features->mesh.points, f);
+    number_on_round_side += n[0] > 1e-9 && n[1] > 1e-9;
+  }
+  const PM::internal::Layer_removal_3 removal(complex, features->embedding, features->mesh, {});
+  const Hexahedra_3& mesh = removal.result();
+  CHECK(mesh.cells.size() == features->mesh.cells.size() - (features->mesh.facets.size() - number_on_round_side));
+  CHECK(PM::internal::boundary_quadrangles_3(mesh).size() == mesh.facets.size());
+  REQUIRE(removal.facets().size() == mesh.facets.size());
+  for(std::size_t f = 0; f < mesh.facets.size(); ++f)
+    CHECK(PM::internal::side_of_facet(mesh, f) < 6);
+
+  const auto edges = PM::internal::edges_of_quadrangles(mesh);
+  const PM::internal::Boundary_graph_3& graph = features->embedding.graph();
+  std::size_t number_of_longer_paths = 0;
+  for(std::size_t a = 0; a < complex.arcs().size(); ++a)
+  {
+    std::vector<std::size_t> old = { graph.source(features->embedding.path(a).front()) };
+    for(const std::size_t e : features->embedding.path(a))
+      old.push_back(graph.target(e));
+    const std::vector<std::size_t> path = removal.path(old);
+    CHECK(path.front() == removal.vertex(old.front()));
+    CHECK(path.back() == removal.vertex(old.back()));
+    for(std::size_t i = 1; i < path.size(); ++i)
+      CHECK(edges.count(VMP::internal::sorted(std::array<std::size_t, 2>{ path[i - 1], path[i] })) == 1);
+    number_of_longer_paths += path.size() == old.size() + 1;
+  }
+  CHECK(number_of_longer_paths == 4); // those from the round side to the axis
+}
+
 // A cube of hexahedra with edges of 2, on whose top curves surround rectangles between vertices of a grid with edges of 1.
 struct Rectangles_on_cube
 {
@@ -403,6 +454,15 @@ TEST_CASE("A curve is given up if its path, around another patch, leaves its own
   CHECK(embedding.number_given_up() == 1);
   for(std::size_t a = 0; a < 12; ++a)
     CHECK(embedding.path(a).size() <= 2);
+}
+
+TEST_CASE("There is no embedding if all curves are given up, as in hexahedra of another subdomain")
+{
+  Rectangles_on_cube body({ { 2, 4, 2, 6 } });
+  REQUIRE(PM::internal::Feature_embedding_3(*body.complex, body.hexahedra, 2).run(VMP::internal::Budget()));
+  for(int& reference : body.hexahedra.cell_references)
+    ++reference;
+  CHECK_FALSE(PM::internal::Feature_embedding_3(*body.complex, body.hexahedra, 2).run(VMP::internal::Budget()));
 }
 
 TEST_CASE("Beside a hexahedron that stays inverted, the shortest curve near it that is not given up has no room")

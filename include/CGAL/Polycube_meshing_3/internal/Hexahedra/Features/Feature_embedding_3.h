@@ -58,7 +58,7 @@ public:
     {
       const std::vector<std::size_t> wrong = find_regions();
       if(wrong.empty())
-        return true;
+        return number_given_up() < std::ptrdiff_t(m_paths.size());
       give_up_longest_detour(wrong);
     }
     return false;

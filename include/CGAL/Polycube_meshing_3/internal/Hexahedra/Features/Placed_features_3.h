@@ -13,7 +13,7 @@
 #include <CGAL/license/Polycube_meshing_3.h>
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
-#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Layer_removal_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Layers/Padding_3.h>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -22,16 +22,20 @@ namespace CGAL::Polycube_meshing_3::internal {
 constexpr double distance_of_bends = 0.06;
 
 // Hexahedra with the places of an embedding: each quadrangle of the boundary has a region, and vertices are at a corner, on an
-// arc, in a region or inside. Starts with hexahedra that have one layer along the boundary.
+// arc, in a region or inside. Starts with hexahedra that have one layer along the boundary. It may go where it is not needed.
 class Placed_features_3
 {
 public:
   Placed_features_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
-                    const double edge, const Body_surface_3& boundary)
+                    const double edge, const Body_surface_3& boundary, const bool may_remove_layers)
     : m_complex(complex), m_embedding(embedding), m_mesh(mesh), m_edge(edge), m_boundary(boundary)
   {
+    collect_paths();
     collect_walls();
-    add_sheets();
+    const std::set<std::size_t> cramped = cramped_regions();
+    if(may_remove_layers)
+      remove_layers(cramped);
+    add_sheets(cramped);
     collect_locations();
     make_surfaces();
     const std::vector<Vector_3> start = m_mesh.points;
@@ -39,6 +43,8 @@ public:
     move_into_regions();
     move_inside(start);
   }
+
+  bool has_removed_layers() const { return m_has_removed_layers; }
 
   Placed_hexahedra_3 result() const
   {
@@ -68,17 +74,14 @@ private:
          : location.freedom == Freedom_3::SURFACE ? m_surfaces[location.number].get() : &m_boundary;
   }
 
-  void collect_walls()
+  void collect_paths()
   {
     const Boundary_graph_3& graph = m_embedding.graph();
     for(std::size_t a = 0; a < m_complex.arcs().size(); ++a)
     {
       std::vector<std::size_t> vertices;
       for(const std::size_t e : m_embedding.path(a))
-      {
-        m_walls[sorted(Edge{ graph.source(e), graph.target(e) })] = a;
         vertices.push_back(graph.source(e));
-      }
       if(!vertices.empty())
         vertices.push_back(graph.target(m_embedding.path(a).back()));
       m_paths.push_back(vertices);
@@ -86,6 +89,16 @@ private:
     for(std::size_t c = 0; c < m_complex.corners().size(); ++c)
       if(m_embedding.is_used(c))
         m_corners[m_embedding.vertex(c)] = c;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      m_regions.push_back(m_embedding.region(f));
+  }
+
+  void collect_walls()
+  {
+    m_walls.clear();
+    for(std::size_t a = 0; a < m_paths.size(); ++a)
+      for(std::size_t i = 1; i < m_paths[a].size(); ++i)
+        m_walls[sorted(Edge{ m_paths[a][i - 1], m_paths[a][i] })] = a;
   }
 
   // Returns whether an edge is between two regions. Patches on both sides of an arc are one region if another arc was given up.
@@ -137,30 +150,52 @@ private:
         continue;
       const auto corner = m_corners.find(q[i]);
       if(corner == m_corners.end() || m_complex.arcs()[before->second].curve == m_complex.arcs()[after->second].curve
-         || angle(corner->second, before->second, after->second, m_embedding.region(f)) > largest_angle)
+         || angle(corner->second, before->second, after->second, m_regions[f]) > largest_angle)
         return true;
     }
     return std::any_of(vertices_on.begin(), vertices_on.end(), [](const auto& curve) { return curve.second.size() > 2; });
   }
 
-  // Puts sheets of hexahedra around the layer under each region with a cramped quadrangle, so that no other quadrangle there has
-  // two edges on its curves.
-  void add_sheets()
+  std::set<std::size_t> cramped_regions() const
   {
-    std::set<std::size_t> regions;
+    std::set<std::size_t> result;
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       if(is_cramped(f))
-        regions.insert(m_embedding.region(f));
+        result.insert(m_regions[f]);
+    return result;
+  }
+
+  // Takes the layer along the boundary away where it is not needed.
+  void remove_layers(const std::set<std::size_t>& cramped)
+  {
+    const Layer_removal_3 removal(m_complex, m_embedding, m_mesh, cramped);
+    m_has_removed_layers = removal.result().cells.size() < m_mesh.cells.size();
+    m_mesh = removal.result();
+    for(std::vector<std::size_t>& path : m_paths)
+      path = removal.path(path);
+    std::map<std::size_t, std::size_t> corners;
+    for(const auto& [v, c] : m_corners)
+      corners[removal.vertex(v)] = c;
+    m_corners = corners;
+    std::vector<std::size_t> regions;
+    for(const std::size_t f : removal.facets())
+      regions.push_back(m_regions[f]);
+    m_regions = regions;
+    collect_walls();
+  }
+
+  // Puts sheets of hexahedra around the layer under each region with a cramped quadrangle, so that no other quadrangle there has
+  // two edges on its curves.
+  void add_sheets(const std::set<std::size_t>& cramped)
+  {
     std::vector<int> parts(m_mesh.cells.size(), 0);
-    std::map<std::size_t, std::size_t> region_of_cell;
     std::vector<Quadrangle_of_hexahedron> covered;
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
     {
-      const std::size_t c = m_mesh.facet_cells[f], region = m_embedding.region(f);
-      region_of_cell[c] = region;
-      if(regions.count(region) == 0)
+      if(cramped.count(m_regions[f]) == 0)
         continue;
-      parts[c] = static_cast<int>(1 + region);
+      const std::size_t c = m_mesh.facet_cells[f];
+      parts[c] = static_cast<int>(1 + m_regions[f]);
       const std::array<std::size_t, 4>& top = m_mesh.facets[f];
       for(std::size_t side = 0; side < 6; ++side)
       {
@@ -172,14 +207,12 @@ private:
           covered.push_back({ c, side });
       }
     }
-    if(!covered.empty())
-    {
-      m_mesh = Padding_3(m_mesh, covered, parts).result();
-      for(std::size_t i = 0; i < covered.size(); ++i)
-        region_of_cell[m_mesh.cells.size() - covered.size() + i] = region_of_cell.at(covered[i].cell);
-    }
-    for(const std::size_t c : m_mesh.facet_cells)
-      m_regions.push_back(region_of_cell.at(c));
+    if(covered.empty())
+      return;
+    const std::size_t number = m_mesh.cells.size();
+    m_mesh = Padding_3(m_mesh, covered, parts).result();
+    for(std::size_t f = m_regions.size(); f < m_mesh.facets.size(); ++f)
+      m_regions.push_back(parts[covered[m_mesh.facet_cells[f] - number].cell] - 1);
   }
 
   void collect_locations()
@@ -418,6 +451,7 @@ private:
   Hexahedra_3 m_mesh;
   const double m_edge;
   const Body_surface_3& m_boundary;
+  bool m_has_removed_layers = false;
   std::map<Edge, std::size_t> m_walls;           // the arc of each edge in a path
   std::vector<std::vector<std::size_t> > m_paths; // vertices of each arc
   std::map<std::size_t, std::size_t> m_corners;  // by their vertices

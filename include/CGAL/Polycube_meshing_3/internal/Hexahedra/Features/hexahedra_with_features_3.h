@@ -276,22 +276,22 @@ inline Placed_hexahedra_3 on_interfaces_3(Placed_hexahedra_3 hexahedra, Body_int
 
 // Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions, on
 // interfaces unless these are staircases. Returns none if there are no paths. Vertices leave their curves only if hexahedra
-// would not be usable otherwise. As long as they are not, curves near these are given up.
+// would not be usable otherwise. As long as they are not, all layers stay, and then curves near bad hexahedra are given up.
 inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std::unique_ptr<Embedded_features_3> features,
                                              Body_interfaces_3& interfaces, const Best_hexahedra_3& start, Linear_solver_3& solver,
                                              const bool is_parallel, const Budget& budget)
 {
-  constexpr int number_of_rounds = 4; // a guess
+  constexpr int number_of_rounds = 5; // a guess
   const double edge = start.edge;
   Best_hexahedra_3 result = { edge, {}, {}, start.staircases };
   std::set<std::size_t> curves_given_up;
   for(int round = 0; round < number_of_rounds; ++round)
   {
-    if(round > 0)
+    if(!curves_given_up.empty())
       features = embedded_features_3(complex, start.mesh, edge, budget, curves_given_up);
     if(!features)
       return result;
-    const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, interfaces.boundary());
+    const Placed_features_3 placed(complex, features->embedding, features->mesh, edge, interfaces.boundary(), round == 0);
     Sliding_hexahedra_3 hexahedra(start.staircases == Staircases::NONE ? on_interfaces_3(placed.result(), interfaces)
                                                                        : placed.result(), solver, is_parallel, budget);
     Best_hexahedra_3 next = { edge, {}, {}, start.staircases };
@@ -301,6 +301,8 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std:
     result.take(next.result, next.mesh);
     if(is_at_least(result.result, usable_scaled_jacobian))
       break;
+    if(placed.has_removed_layers())
+      continue;
     const std::set<std::size_t> curves = curves_without_room_3(complex, features->embedding, next.mesh, edge);
     if(curves.empty())
       break;
