@@ -245,6 +245,31 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(folder.run("cubes.off --cells 1 --to polycube --refine=none --fill-voids --tetrahedra cubes.mesh") == 0);
   CHECK(folder.text("stderr").find("note: cubes.off: 1 void is filled\n") != std::string::npos);
   CHECK(volume(folder.soup("cubes.mesh")) == Approx(729 + 8));
+  // a sphere with needles at its poles, whose triangles have the size of the cells then
+  constexpr int number_of_meridians = 400, number_of_circles = 4, north = 1 + number_of_meridians * number_of_circles;
+  std::ostringstream sphere;
+  sphere << "OFF\n" << north + 1 << ' ' << 2 * number_of_meridians * number_of_circles << " 0\n0 0 -1\n";
+  for(int j = 1; j <= number_of_circles; ++j)
+    for(int i = 0; i < number_of_meridians; ++i)
+    {
+      const double t = CGAL_PI * j / (number_of_circles + 1), s = 2 * CGAL_PI * i / number_of_meridians;
+      sphere << std::sin(t) * std::cos(s) << ' ' << std::sin(t) * std::sin(s) << ' ' << -std::cos(t) << '\n';
+    }
+  sphere << "0 0 1\n";
+  for(int i = 0; i < number_of_meridians; ++i)
+  {
+    const auto vertex = [&](const int j, const int k) { return 1 + (j - 1) * number_of_meridians + k % number_of_meridians; };
+    sphere << "3 0 " << vertex(1, i + 1) << ' ' << vertex(1, i) << '\n';
+    sphere << "3 " << north << ' ' << vertex(number_of_circles, i) << ' ' << vertex(number_of_circles, i + 1) << '\n';
+    for(int j = 1; j < number_of_circles; ++j)
+    {
+      sphere << "3 " << vertex(j, i) << ' ' << vertex(j, i + 1) << ' ' << vertex(j + 1, i + 1) << '\n';
+      sphere << "3 " << vertex(j, i) << ' ' << vertex(j + 1, i + 1) << ' ' << vertex(j + 1, i) << '\n';
+    }
+  }
+  folder.write("sphere.off", sphere.str());
+  CHECK(folder.run("sphere.off --cells 0.3 --to ball --refine=none --tetrahedra sphere.mesh") == 0);
+  CHECK(volume(folder.soup("sphere.mesh")) == Approx(3.789).epsilon(0.05)); // the five bands have this volume
   // points with the same place, and of a surface to which a body is fitted
   const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 0\nv 1 0 0\nv 1 0 1\n"
                               "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 0 1 0\nv 0 0 0\n"

@@ -65,9 +65,10 @@ inline void read_by_Gmsh(const std::string& filename, Tetrahedron_soup_3& soup)
 /// fills the body of a file with tetrahedra, by Gmsh. The file has solids of a CAD program (`.step`, `.stp`, `.iges`, `.igs`,
 /// `.brep`), is a script of Gmsh that makes solids (`.geo`), or has a closed surface (`.stl`, `.off`, `.obj`, `.ply`, `.vtp`).
 ///
-/// A surface is repaired as by `read_closed_surface()`, but may touch itself, and enclose several bodies. Lengths keep the unit of
-/// a STEP file if it is metre, centimetre, millimetre or inch. If faces of cylinders or spheres have a smaller diameter than the
-/// cells, circles get eight edges.
+/// A surface is repaired as by `read_closed_surface()`, but may touch itself, and enclose several bodies. It gets new triangles by
+/// `CGAL::Polygon_mesh_processing::isotropic_remeshing()`, which keep edges with 40 degrees or more between normals. If Gmsh
+/// cannot fill these triangles, those of the file stay. Lengths keep the unit of a STEP file if it is metre, centimetre,
+/// millimetre or inch. If faces of cylinders or spheres have a smaller diameter than the cells, circles get eight edges.
 ///
 /// Solids that touch share faces of the mesh. References are the numbers of solids, faces and curves in Gmsh, with the names of
 /// solids, or physical groups of a script. Curves between faces are marked edges. A surface has no references and no marked edges.

@@ -17,6 +17,12 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/detect_features.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh.h>
+
 #include <cctype>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -330,11 +336,49 @@ inline std::size_t leave_out_voids(Tetrahedron_soup_3& surface)
   return number;
 }
 
-// Makes each body that a surface encloses a volume of the model, and returns their number. Each part of the surface is a discrete
-// face; or faces by angles are to be meshed anew.
-inline std::size_t load_enclosed(const Tetrahedron_soup_3& surface, const bool is_meshed_anew)
+// Returns a surface with new triangles, whose edges have about the same length. Edges along sharp ones stay on these.
+inline Tetrahedron_soup_3 remeshed_surface(Tetrahedron_soup_3 surface, double length)
 {
-  constexpr double angle = CGAL_PI / 4.5; // 40 degrees, as in an example of Gmsh
+  namespace PMP = Polygon_mesh_processing;
+  constexpr double angle = 40; // in degrees, as in an example of Gmsh
+  constexpr unsigned int number_of_iterations = 3;
+  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.facets))
+    throw Input_error("the surface touches itself");
+  Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
+  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
+  for(const auto& [x, y, z] : surface.points)
+    points.emplace_back(x, y, z);
+  PMP::polygon_soup_to_polygon_mesh(points, surface.facets, mesh);
+  if(length == 0)
+  {
+    const Bbox_3 box = bbox_3(points.begin(), points.end());
+    length = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 20;
+  }
+  auto is_sharp = get(dynamic_edge_property_t<bool>(), mesh);
+  for(const auto e : edges(mesh))
+    put(is_sharp, e, false);
+  PMP::detect_sharp_edges(mesh, angle, is_sharp);
+  PMP::isotropic_remeshing(faces(mesh), length, mesh, parameters::edge_is_constrained_map(is_sharp)
+                                                                  .number_of_iterations(number_of_iterations));
+  mesh.collect_garbage();
+  surface.points.clear();
+  surface.facets.clear();
+  for(const auto v : vertices(mesh))
+    surface.points.push_back({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() });
+  for(const auto f : faces(mesh))
+  {
+    surface.facets.emplace_back();
+    std::size_t i = 0;
+    for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
+      surface.facets.back()[i++] = v;
+  }
+  return surface;
+}
+
+// Makes each body that a surface encloses a volume of the model, and returns their number. Each part of the surface is a discrete
+// face.
+inline std::size_t load_enclosed(const Tetrahedron_soup_3& surface)
+{
   std::vector<std::size_t> tags(surface.points.size());
   std::iota(tags.begin(), tags.end(), std::size_t(1));
   std::vector<double> coordinates;
@@ -342,34 +386,18 @@ inline std::size_t load_enclosed(const Tetrahedron_soup_3& surface, const bool i
     coordinates.insert(coordinates.end(), p.begin(), p.end());
   const std::vector<Triangles> parts = components(surface.facets);
   const std::vector<std::size_t> outer = outer_parts(surface.points, parts);
-  std::map<std::array<std::size_t, 3>, std::size_t> body_of_triangle;
+  std::map<std::size_t, std::vector<int> > shells;
   for(std::size_t i = 0; i < parts.size(); ++i)
   {
     std::vector<std::size_t> nodes;
     for(const auto& triangle : parts[i])
-    {
       for(const std::size_t v : triangle)
         nodes.push_back(tags[v]);
-      body_of_triangle[sorted(triangle)] = outer[i];
-    }
     const int face = gmsh::model::addDiscreteEntity(2);
     if(!coordinates.empty())
       gmsh::model::mesh::addNodes(2, face, tags, std::exchange(coordinates, {}));
     gmsh::model::mesh::addElementsByType(face, 2, {}, nodes);
-  }
-  if(is_meshed_anew)
-  {
-    gmsh::model::mesh::classifySurfaces(angle, true, true, CGAL_PI);
-    gmsh::model::mesh::createGeometry();
-  }
-  gmsh::vectorpair faces;
-  gmsh::model::getEntities(faces, 2);
-  std::map<std::size_t, std::vector<int> > shells;
-  for(const auto& [dimension, face] : faces)
-  {
-    std::vector<std::size_t> elements, nodes;
-    gmsh::model::mesh::getElementsByType(2, elements, nodes, face);
-    shells[body_of_triangle.at(sorted(std::array{ nodes[0] - 1, nodes[1] - 1, nodes[2] - 1 }))].push_back(face);
+    shells[outer[i]].push_back(face);
   }
   for(const auto& [body, shell] : shells)
     gmsh::model::geo::addVolume({ gmsh::model::geo::addSurfaceLoop(shell) });
@@ -395,7 +423,7 @@ inline void require_no_crossing(const Tetrahedron_soup_3& surface)
                     + ". Unite the solids that cross there in a CAD program, or save each of them in a file of its own");
 }
 
-// Fills a closed surface with new triangles on it, unless parts of it cross each other. Where Gmsh finds no parameters for these,
+// Fills a closed surface with new triangles on it, unless parts of it cross each other. Where Gmsh finds no tetrahedra for these,
 // triangles of the surface stay. Marks that Gmsh returns are left out, as they are not those of the user.
 inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_attempt& attempt)
 {
@@ -403,7 +431,8 @@ inline Tetrahedron_soup_3 filled_surface(Tetrahedron_soup_3 surface, const Gmsh_
   {
     return with_Gmsh([&]
     {
-      const std::size_t number_of_bodies = load_enclosed(surface, is_meshed_anew);
+      const std::size_t number_of_bodies
+        = load_enclosed(is_meshed_anew ? remeshed_surface(surface, attempt.cell_size) : surface);
       generate_tetrahedra(attempt);
       Tetrahedron_soup_3 result = Gmsh_reader().read();
       result.cell_references.assign(result.cells.size(), 0);
