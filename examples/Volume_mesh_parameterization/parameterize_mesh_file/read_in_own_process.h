@@ -211,7 +211,8 @@ read_in_own_process(const std::string& filename, const std::string& library, con
                            + (makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged"));
   throw VMP::Input_error(library + " crashed"
                          + (WIFSIGNALED(status) ? std::string(" (") + strsignal(WTERMSIG(status)) + ")" : std::string())
-                         + "; the file may be damaged");
+                         + "; the file may be damaged"
+                         + (makes_mesh ? ". Save it anew in a CAD program, or save its surface as *.stl" : ""));
 }
 
 #endif // CGAL_VOLUME_MESH_PARAMETERIZATION_EXAMPLES_READ_IN_OWN_PROCESS_H

@@ -1,6 +1,8 @@
 // Hexahedra of bodies, and bodies that have none.
 #include "hexahedra_of_bodies.h"
 
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/hexahedra_with_features_3.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -128,7 +130,9 @@ struct Impatient_visitor
 
 TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid ones")
 {
-  for(const Body& body : { Body(8, 0, rounded), turned_box() })
+  const auto ridged = [](const Vector3d& p) -> Vector3d { return { p[0], p[1], p[2] * (1 - 0.2 * std::abs(p[0] - p[1])) }; };
+  std::size_t number_without_all_features = 0;
+  for(const Body& body : { Body(8, 0, rounded), turned_box(), Body(4, 0, ridged) })
   {
     const auto mesh_until = [&](Impatient_visitor& visitor, Hexahedron_soup_3& mesh)
     {
@@ -156,6 +160,9 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
       {
         CHECK(smallest_determinant(mesh) > 0);
         CHECK(result.number_of_cells == mesh.cells.size());
+        const bool has_all = PM::internal::number_of_kept(result.features) == PM::internal::number_of_features(result.features);
+        CHECK(has_all == (result.message.find(" curves and ") == std::string::npos));
+        number_without_all_features += !has_all;
         is_valid = true;
       }
       else
@@ -166,6 +173,7 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
     }
     CHECK(is_valid);
   }
+  CHECK(number_without_all_features > 0);
 }
 
 TEST_CASE("Without time there are no hexahedra")

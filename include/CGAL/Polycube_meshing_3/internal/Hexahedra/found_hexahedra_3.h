@@ -223,9 +223,9 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
     return found;
   const bool is_all = !result.has_valid_mesh || result.status == OK; // that there is to be told
   const std::string sentences = get_error_message(ERROR_INTERRUPTED)
-    + std::string(result.has_valid_mesh ? " The hexahedra are valid, but better ones might have been found."
-                                        : " There are no valid hexahedra yet.");
-  result.message = is_all ? sentences : result.message + " " + sentences;
+    + std::string(result.has_valid_mesh ? " The hexahedra are valid, but more time may give better ones."
+                                        : " There are no valid hexahedra yet. Allow more time.");
+  result.message = !is_all ? result.message + " " + sentences : result.has_valid_mesh ? sentences + result.message : sentences;
   if(is_all)
     result.status = ERROR_INTERRUPTED;
   return found;

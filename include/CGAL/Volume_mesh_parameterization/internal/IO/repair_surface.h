@@ -30,7 +30,7 @@ inline void require_closed(const Tetrahedron_soup_3& surface, const bool may_tou
 {
   const auto describe_point = [&](const std::size_t v) { return describe(to_vector(surface.points[v])); };
   if(surface.facets.empty())
-    throw Input_error("the surface has no triangle");
+    throw Input_error("the surface has no triangle. Strips of triangles are not read: save it with triangles, as *.stl has them");
   for(std::size_t i = 0; i < 3; ++i)
     if(std::all_of(surface.points.begin(), surface.points.end(), [&](const auto& p) { return p[i] == surface.points[0][i]; }))
       throw Input_error(sentence("the surface encloses no body, because it is in the plane ", "xyz"[i], " = ",
