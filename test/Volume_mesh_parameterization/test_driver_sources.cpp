@@ -268,8 +268,11 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
     }
   }
   folder.write("sphere.off", sphere.str());
-  CHECK(folder.run("sphere.off --cells 0.3 --to ball --refine=none --tetrahedra sphere.mesh") == 0);
-  CHECK(volume(folder.soup("sphere.mesh")) == Approx(3.789).epsilon(0.05)); // the five bands have this volume
+  for(const std::string size : { "0.3", "100" }) // at most a tenth of the diagonal
+  {
+    CHECK(folder.run("sphere.off --cells " + size + " --to ball --refine=none --tetrahedra sphere.mesh") == 0);
+    CHECK(volume(folder.soup("sphere.mesh")) == Approx(3.789).epsilon(0.05)); // the five bands have this volume
+  }
   // points with the same place, and of a surface to which a body is fitted
   const std::string doubled = "v 0 0 0\nv 0 1 0\nv 1 1 0\nv 1 0 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0 0 0\nv 1 0 0\nv 1 0 1\n"
                               "v 0 0 1\nv 1 0 0\nv 1 1 0\nv 1 1 1\nv 1 0 1\nv 1 1 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 0 1 0\nv 0 0 0\n"

@@ -349,11 +349,9 @@ inline Tetrahedron_soup_3 remeshed_surface(Tetrahedron_soup_3 surface, double le
   for(const auto& [x, y, z] : surface.points)
     points.emplace_back(x, y, z);
   PMP::polygon_soup_to_polygon_mesh(points, surface.facets, mesh);
-  if(length == 0)
-  {
-    const Bbox_3 box = bbox_3(points.begin(), points.end());
-    length = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin()) / 20;
-  }
+  const Bbox_3 box = bbox_3(points.begin(), points.end());
+  const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  length = length == 0 ? diagonal / 20 : (std::min)(length, diagonal / 10); // as Gmsh's edges of solids
   auto is_sharp = get(dynamic_edge_property_t<bool>(), mesh);
   for(const auto e : edges(mesh))
     put(is_sharp, e, false);
