@@ -127,17 +127,18 @@ lose some of them, the function looks for vertices of the boundary for all corne
 Edges of the boundary between subdomains have paths, too. Corners that are joined by a curve shorter than a tenth of an edge share
 a vertex. Curves that leave a corner with less than 11 degrees between them share their first edge, or with less than 7 degrees, if
 fewer curves are given up then. Paths compete for vertices by prices that grow. If this does not end, or a path leaves its patch on
-the wrong side, curves are given up one by one. A layer of hexahedra is inserted along the boundary, and sheets are inserted around
-patches in which a quadrangle would have two edges on a smooth curve. If a curve has more bends than its path has edges, sheets of
-hexahedra across the path are cut in two. So are sheets where curves were given up because others left no room, if fewer curves are
-given up then. These add at most half of the hexahedra. Vertices stay at bends. All others move along curves, in patches and on
-interfaces. If a scaled Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices leave curves. If this is not
-enough, the shortest curve near each such hexahedron is given up, up to three times. The mesh is taken if it is valid, no scaled
-Jacobian is below `minimum_scaled_jacobian`, its boundary is at most half an edge off that of the body, or no farther than before,
-and it keeps more features. Interfaces must be within a tenth of an edge, or no farther than before. This is tried with the first
-valid hexahedra of one subdomain, and if it fails, or there are several, with the best ones. If both fail, the mesh remains as it
-was. `Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The mesh has the edges
-along curves and the corners that are kept.
+the wrong side, curves are given up one by one. A layer of hexahedra is inserted along the boundary, and removed again where each
+hexahedron under it has 50 to 130 degrees of the angle between patches. Sheets are inserted around patches in which a quadrangle
+would have two edges on a smooth curve. If a curve has more bends than its path has edges, sheets of hexahedra across the path are
+cut in two. So are sheets where curves were given up because others left no room, if fewer curves are given up then. These add at
+most half of the hexahedra. Vertices stay at bends. All others move along curves, in patches and on interfaces. If a scaled
+Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices leave curves. If this is not enough, all of the layer
+stays, and then the shortest curve near each such hexahedron is given up, in five attempts altogether. The mesh is taken if it is
+valid, no scaled Jacobian is below `minimum_scaled_jacobian`, its boundary is at most half an edge off that of the body, or no
+farther than before, and it keeps more features. Interfaces must be within a tenth of an edge, or no farther than before. This is
+tried with the first valid hexahedra of one subdomain, and if it fails, or there are several, with the best ones. If both fail, the
+mesh remains as it was. `Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The
+mesh has the edges along curves and the corners that are kept.
 
 <b>Validity</b>. The 27 Bernstein coefficients of the determinant bound its sign. If they leave the sign open, the hexahedron is
 subdivided (Johnen, Weill and Remacle, Robust and efficient validation of the linear hexahedral element, 2017).

@@ -13,15 +13,13 @@
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
 #include <CGAL/Volume_mesh_parameterization/internal/IO/Gmsh_reader.h>
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Polygon_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Self_intersection_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cctype>
 
@@ -342,16 +340,15 @@ inline Tetrahedron_soup_3 remeshed_surface(Tetrahedron_soup_3 surface, double le
   namespace PMP = Polygon_mesh_processing;
   constexpr double angle = 40; // in degrees, as in an example of Gmsh
   constexpr unsigned int number_of_iterations = 3;
-  if(!PMP::is_polygon_soup_a_polygon_mesh(surface.facets))
+  const Polygon_soup soup(surface);
+  if(!soup.is_mesh())
     throw Input_error("the surface touches itself");
-  Surface_mesh<Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
-  std::vector<Exact_predicates_inexact_constructions_kernel::Point_3> points;
-  for(const auto& [x, y, z] : surface.points)
-    points.emplace_back(x, y, z);
-  PMP::polygon_soup_to_polygon_mesh(points, surface.facets, mesh);
-  const Bbox_3 box = bbox_3(points.begin(), points.end());
-  const double diagonal = std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin());
+  Box_3 box;
+  for(const std::array<double, 3>& p : surface.points)
+    box.extend(to_vector(p));
+  const double diagonal = box.diagonal().norm();
   length = length == 0 ? diagonal / 20 : (std::min)(length, diagonal / 10); // as Gmsh's edges of solids
+  Repaired_mesh mesh = soup.mesh();
   auto is_sharp = get(dynamic_edge_property_t<bool>(), mesh);
   for(const auto e : edges(mesh))
     put(is_sharp, e, false);
@@ -359,17 +356,7 @@ inline Tetrahedron_soup_3 remeshed_surface(Tetrahedron_soup_3 surface, double le
   PMP::isotropic_remeshing(faces(mesh), length, mesh, parameters::edge_is_constrained_map(is_sharp)
                                                                   .number_of_iterations(number_of_iterations));
   mesh.collect_garbage();
-  surface.points.clear();
-  surface.facets.clear();
-  for(const auto v : vertices(mesh))
-    surface.points.push_back({ mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z() });
-  for(const auto f : faces(mesh))
-  {
-    surface.facets.emplace_back();
-    std::size_t i = 0;
-    for(const auto v : vertices_around_face(halfedge(f, mesh), mesh))
-      surface.facets.back()[i++] = v;
-  }
+  Polygon_soup(mesh).assign_to(surface);
   return surface;
 }
 

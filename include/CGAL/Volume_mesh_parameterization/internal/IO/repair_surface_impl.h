@@ -12,52 +12,20 @@
 
 #include <CGAL/license/Volume_mesh_parameterization.h>
 
+#include <CGAL/Volume_mesh_parameterization/internal/IO/Polygon_soup.h>
 #include <CGAL/Volume_mesh_parameterization/internal/IO/repair_surface.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Soups/nearby_points.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_mesh_to_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <cmath>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
-
-using Repair_kernel = Exact_predicates_inexact_constructions_kernel;
-using Repaired_mesh = Surface_mesh<Repair_kernel::Point_3>;
-
-// Points and triangles as CGAL's functions for soups take them.
-struct Polygon_soup
-{
-  std::vector<Repair_kernel::Point_3> points;
-  std::vector<std::vector<std::size_t> > polygons;
-
-  explicit Polygon_soup(const Tetrahedron_soup_3& surface)
-  {
-    for(const auto& [x, y, z] : surface.points)
-      points.emplace_back(x, y, z);
-    for(const auto& [u, v, w] : surface.facets)
-      polygons.push_back({ u, v, w });
-  }
-
-  void assign_to(Tetrahedron_soup_3& surface) const
-  {
-    surface.points.clear();
-    for(const Repair_kernel::Point_3& p : points)
-      surface.points.push_back({ p.x(), p.y(), p.z() });
-    surface.facets.clear();
-    for(const std::vector<std::size_t>& polygon : polygons)
-      surface.facets.push_back({ polygon[0], polygon[1], polygon[2] });
-    surface.facet_references.assign(surface.facets.size(), 0);
-  }
-};
 
 // Returns whether `is_right(n)` for each number n of triangles at an edge.
 template <typename Predicate>
@@ -225,11 +193,10 @@ inline void remove_flat_triangles(Tetrahedron_soup_3& surface)
 {
   if(std::none_of(surface.facets.begin(), surface.facets.end(), [&](const auto& t) { return is_flat(surface, t); }))
     return;
-  Polygon_soup soup(surface);
-  if(!is_manifold(surface) || !Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons))
+  const Polygon_soup soup(surface);
+  if(!is_manifold(surface) || !soup.is_mesh())
     return;
-  Repaired_mesh mesh;
-  Polygon_mesh_processing::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  Repaired_mesh mesh = soup.mesh();
   std::vector<Repaired_mesh::Face_index> flat;
   Polygon_mesh_processing::degenerate_faces(mesh, std::back_inserter(flat));
   if(!Polygon_mesh_processing::remove_degenerate_faces(mesh))
@@ -240,10 +207,7 @@ inline void remove_flat_triangles(Tetrahedron_soup_3& surface)
   if(number == 0)
     return;
   mesh.collect_garbage();
-  soup.points.clear();
-  soup.polygons.clear();
-  Polygon_mesh_processing::polygon_mesh_to_polygon_soup(mesh, soup.points, soup.polygons);
-  soup.assign_to(surface);
+  Polygon_soup(mesh).assign_to(surface);
   surface.notes.push_back(counted(number, "triangle of the surface has", "triangles of the surface have")
                           + " no area, and edges are flipped or joined there");
 }

@@ -14,8 +14,6 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Features/Feature_embedding_3.h>
 
-#include <optional>
-
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Takes the layer along the boundary away where the hexahedra under it fit the dihedral angles of the body. It stays under
@@ -80,7 +78,7 @@ private:
     return false;
   }
 
-  // Returns the quadrangle under the layer, with its vertices in the order of those above.
+  // Returns the quadrangle on the other side of the layer.
   Quadrangle_of_hexahedron under(const std::size_t f) const
   {
     constexpr std::array<std::size_t, 6> opposite_sides = { 1, 0, 4, 5, 2, 3 };
