@@ -59,7 +59,8 @@ inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& 
   result.status = ERROR_INCOMPLETE_HEXAHEDRA;
 }
 
-// Measures how well interfaces are kept, and adds sentences if they are not.
+// Measures the distance of interfaces. If staircases were not asked for, the message tells a distance beyond the tolerance, and
+// one beyond the largest distance is an error.
 inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
                                 Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
 {
@@ -68,7 +69,7 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
   double area = 0;
   for(const std::array<std::size_t, 4>& q : quadrangles)
     area += area_vector(mesh.points, q).norm();
-  const double edge = std::sqrt(area / static_cast<double>(quadrangles.size()));
+  const double edge = std::sqrt(area / static_cast<double>(quadrangles.size())); // the mean one; not a number if there is none
   if(staircases == Staircases::ASKED || !(farthest.distance > tolerance_of_interfaces * edge))
     return;
   const std::string distance = sentence(" Interfaces between subdomains are kept up to a distance of ", farthest.distance / edge,

@@ -214,12 +214,12 @@ private:
     m_turnings[chart].add(0);
   }
 
-  // Returns how far borders are from those of a polygon with holes: one turns left by four right angles, the others turn
-  // right, and by the characteristic, there is no handle.
+  // Returns how far the borders of a chart are from those of a polygon with holes, in right angles. The outer border of a polygon
+  // turns left once, each hole turns right once, and there is no handle.
   static int distance_from_polygon(const Turnings& turnings, const int characteristic)
   {
-    const int outer = turnings.largest;
-    return full_turn * std::abs(2 - turnings.number - characteristic) + turnings.distance
+    const int outer = turnings.largest, twice_number_of_handles = std::abs(2 - turnings.number - characteristic);
+    return full_turn * twice_number_of_handles + turnings.distance // which takes the outer border for a hole
       + (turnings.number > 0 ? std::abs(outer - full_turn) - std::abs(outer + full_turn) : 0);
   }
 

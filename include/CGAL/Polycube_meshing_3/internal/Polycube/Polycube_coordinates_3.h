@@ -154,20 +154,21 @@ private:
     return true;
   }
 
-  // Joins coordinates that differ by rounding alone, as of faces in one plane of bodies side by side: hexahedra between two
-  // planes so close would be a layer of slivers.
+  // Joins coordinates that differ by rounding alone. Bodies side by side may have such planes, and hexahedra between them would be
+  // slivers.
   void join_equal_coordinates()
   {
-    std::vector<std::size_t> planes(m_planes.size());
-    std::iota(planes.begin(), planes.end(), std::size_t(0));
-    std::sort(planes.begin(), planes.end(), [this](const std::size_t p, const std::size_t q)
+    constexpr double rounding = 1e-12;              // the longest side of the body is 1
+    std::vector<std::size_t> order(m_planes.size()); // of planes, by axis and coordinate
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(), [this](const std::size_t p, const std::size_t q)
     {
       return std::pair(m_planes.axis(p), m_coordinate[p]) < std::pair(m_planes.axis(q), m_coordinate[q]);
     });
-    for(std::size_t i = 1; i < planes.size(); ++i)
-      if(const double previous = m_coordinate[planes[i - 1]];
-         m_planes.axis(planes[i]) == m_planes.axis(planes[i - 1]) && m_coordinate[planes[i]] - previous < 1e-12)
-        m_coordinate[planes[i]] = previous;
+    for(std::size_t i = 1; i < order.size(); ++i)
+      if(const double previous = m_coordinate[order[i - 1]];
+         m_planes.axis(order[i]) == m_planes.axis(order[i - 1]) && m_coordinate[order[i]] - previous < rounding)
+        m_coordinate[order[i]] = previous;
   }
 
   void add_order(const Order_of_coordinates& order)

@@ -47,7 +47,8 @@ public:
     return start_close_to(mean_coordinates_3(m_mesh, m_charts, m_planes), budget);
   }
 
-  // Returns the map to the polycube whose lengths are those of the surface, if that has less distortion.
+  // Returns the map to the polycube whose lengths are closest to those of the surface; none if there is no such map, or if its
+  // distortion is not less than that of this map.
   std::optional<Polycube_map_3> with_lengths_of_surface(const Budget& budget) const
   {
     const std::vector<double> coordinates = Polycube_lengths_3(m_mesh, m_charts, m_planes).run(m_coordinates, m_grid, budget);
@@ -66,7 +67,7 @@ public:
     m_coordinates = coordinates;
     m_is_on_line = m_is_held = Held_coordinates(m_images.size(), { false, false, false });
     map_edges();
-    find_flipped_faces_between_edges();
+    find_flipped_faces_on_edges();
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
     map_charts(budget);
@@ -193,8 +194,10 @@ private:
     map_charts(budget);
   }
 
-  void find_flipped_faces_between_edges()
+  // Finds the flipped faces with all vertices on edges of the polycube. Their images are final before the charts are mapped.
+  void find_flipped_faces_on_edges()
   {
+    m_flipped_faces.clear();
     constexpr std::array<bool, 3> all = { true, true, true };
     for(const Face f : m_mesh.faces())
     {

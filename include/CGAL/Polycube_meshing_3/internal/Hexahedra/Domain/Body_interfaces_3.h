@@ -150,12 +150,12 @@ private:
     }
   }
 
-  // Finds lines, and corners: where not two of them meet, or two of different patches, or a line crosses one of the boundary.
+  // Finds the edges where patches meet each other or the boundary of the body, and the corners among their vertices.
   void collect_lines(const std::vector<std::array<std::size_t, 3> >& boundary_facets)
   {
     std::set<std::array<std::size_t, 2> > edges_of_boundary;
     for_each_edge(boundary_facets, [&](const auto begin, auto) { edges_of_boundary.insert(begin->first); });
-    std::map<std::size_t, std::vector<Patches_3> > lines_at;
+    std::map<std::size_t, std::vector<Patches_3> > patches_of_edges_at; // vertices
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
       Patches_3 patches;
@@ -168,17 +168,21 @@ private:
       m_lines.emplace_back(begin->first, patches);
       m_patches_at_lines.insert(patches);
       for(const std::size_t v : begin->first)
-        lines_at[v].push_back(patches);
+        patches_of_edges_at[v].push_back(patches);
     });
-    for(const auto& [v, lines] : lines_at)
-    {
-      Patches_3 patches;
-      for(const Patches_3& line : lines)
-        patches.insert(line.begin(), line.end());
-      const Vector_3& p = m_points[v];
-      if(lines.size() != 2 || lines[0] != lines[1] || (patches.count(0) > 0 && m_boundary.is_on_line(p)))
-        m_corners[patches].push_back(p);
-    }
+    for(const auto& [v, patches_of_edges] : patches_of_edges_at)
+      add_if_corner(m_points[v], patches_of_edges);
+  }
+
+  // Adds a point as a corner unless one line goes on through it: two edges with the same patches, away from lines of the boundary.
+  void add_if_corner(const Vector_3& p, const std::vector<Patches_3>& patches_of_edges)
+  {
+    Patches_3 patches;
+    for(const Patches_3& of_edge : patches_of_edges)
+      patches.insert(of_edge.begin(), of_edge.end());
+    const bool is_on_one_line = patches_of_edges.size() == 2 && patches_of_edges[0] == patches_of_edges[1];
+    if(!is_on_one_line || (patches.count(0) > 0 && m_boundary.is_on_line(p)))
+      m_corners[patches].push_back(p);
   }
 
   const std::vector<Vector_3> m_points;

@@ -26,6 +26,10 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
+inline AABB_trees_3::Kernel::Triangle_3 triangle_of(const std::vector<Vector_3>& points,
+                                                    const std::array<std::size_t, 3>& vertices)
+{ return { exact_point(points[vertices[0]]), exact_point(points[vertices[1]]), exact_point(points[vertices[2]]) }; }
+
 // Freedom of a vertex: anywhere, on the surface, along a line, or not at all.
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
 
@@ -101,7 +105,7 @@ public:
   Vector_3 normal(const Vector_3& p) const
   { return normal(*m_surface.closest_point_and_primitive(exact_point(p)).second); }
 
-  // Returns the distance of a point from the box around the surface, a bound of that from the surface.
+  // Returns the distance of a point from the box around the surface, a lower bound of the distance from the surface.
   double distance_of_box(const Vector_3& p) const
   {
     const Bbox_3 box = m_surface.bbox();
@@ -150,7 +154,7 @@ private:
     std::set<std::size_t> vertices;
     for(const std::array<std::size_t, 3>& facet : m_facets)
     {
-      m_triangles.push_back(triangle(points, facet));
+      m_triangles.push_back(triangle_of(points, facet));
       vertices.insert(facet.begin(), facet.end());
       const auto& [a, b, c] = facet;
       for(int axis = 0; axis < 3; ++axis)
@@ -168,12 +172,6 @@ private:
     m_rounding = 1e-9 * length_3({ box.x_span(), box.y_span(), box.z_span() });
     for(const double x : { box.xmin(), box.xmax(), box.ymin(), box.ymax(), box.zmin(), box.zmax() })
       m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x));
-  }
-
-  static Kernel::Triangle_3 triangle(const std::vector<Vector_3>& points, const std::array<std::size_t, 3>& facet)
-  {
-    const auto& [a, b, c] = facet;
-    return Kernel::Triangle_3(exact_point(points[a]), exact_point(points[b]), exact_point(points[c]));
   }
 
   static Vector_3 normal(const Kernel::Triangle_3& triangle)

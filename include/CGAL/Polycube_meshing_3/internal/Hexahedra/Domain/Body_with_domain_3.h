@@ -24,22 +24,21 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Checks that a map has a cell, and at the vertices of cells only finite coordinates of sizes that numbers have room for.
+// Checks that a map has a cell, that coordinates at vertices of cells are finite, that not all points coincide, and that points
+// and images are neither too small nor too large for energies. Throws Input_error if arrays do not fit together.
 inline Input_check_3 check_map_3(const Mapped_soup_3& soup)
 {
   if(soup.cells.empty())
     return failed_check(ERROR_EMPTY_COMPLEX, get_error_message(ERROR_EMPTY_COMPLEX));
   check_simplices(soup);
   const std::vector<Vector_3> points = vectors_of(soup.points), images = vectors_of(soup.images);
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
-    for(const std::size_t v : cell)
-      if(!points[v].allFinite() || !images[v].allFinite())
-        return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ", describe(points[v]),
-                            " and the image ", describe(images[v]), ".");
   Box_3 source, image;
   for(const std::array<std::size_t, 4>& cell : soup.cells)
     for(const std::size_t v : cell)
     {
+      if(!points[v].allFinite() || !images[v].allFinite())
+        return failed_check(ERROR_NON_FINITE_COORDINATE, "Point ", v, " has the coordinates ", describe(points[v]),
+                            " and the image ", describe(images[v]), ".");
       source.extend(points[v]);
       image.extend(images[v]);
     }

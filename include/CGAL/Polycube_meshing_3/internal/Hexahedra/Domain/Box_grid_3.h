@@ -210,6 +210,8 @@ private:
     return (std::max)(1., std::round(length / spacing));
   }
 
+  // Divides the intervals between planes into parts near the spacing, and finds the first box of each block: planes of lines begin
+  // no block. Must be called once, after all planes have been added.
   void divide(const std::size_t axis, const double spacing)
   {
     const std::vector<double> planes = m_planes[axis];

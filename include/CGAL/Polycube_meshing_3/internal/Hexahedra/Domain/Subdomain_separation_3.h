@@ -137,11 +137,19 @@ private:
     return parts.size() == 1;
   }
 
-  // Makes the change at a vertex that leaves the fewest defects, and among these the one to the most neighbors. Returns false if
-  // none is a gain.
+  int defects_around(const std::size_t cell)
+  {
+    int sum = 0;
+    for(const std::size_t v : m_mesh.cells[cell])
+      sum += defects(v);
+    return sum;
+  }
+
+  // Gives a hexahedron at a vertex to the subdomain of a neighbor, such that the most defects vanish, and among such changes the
+  // one with the most neighbors there. Returns false if no change removes a defect.
   bool mend(const std::size_t v)
   {
-    std::pair<int, std::ptrdiff_t> best = { 0, 0 };
+    std::pair<int, std::ptrdiff_t> best = { 1, 0 }; // defects that vanish, at least one, and neighbors in the new subdomain
     std::size_t changed = none;
     int next = 0;
     for(const std::size_t c : m_cells_at[v])
@@ -149,21 +157,14 @@ private:
       std::map<int, std::ptrdiff_t> numbers; // of neighbors in each other subdomain
       for(const std::size_t d : m_neighbors[c])
         if(d != none && reference(d) != reference(c))
-          --numbers[reference(d)];
+          ++numbers[reference(d)];
       if(numbers.empty() || !may_leave(c))
         continue;
-      const auto defects_of_cell = [&]
-      {
-        int sum = 0;
-        for(const std::size_t w : m_mesh.cells[c])
-          sum += defects(w);
-        return sum;
-      };
-      const int old = reference(c), before = defects_of_cell();
+      const int old = reference(c), before = defects_around(c);
       for(const auto& [subdomain, number] : numbers)
       {
         reference(c) = subdomain;
-        if(const std::pair<int, std::ptrdiff_t> gain = { defects_of_cell() - before, number }; gain.first < 0 && gain < best)
+        if(const std::pair<int, std::ptrdiff_t> gain = { before - defects_around(c), number }; gain > best)
         {
           best = gain;
           changed = c;

@@ -81,7 +81,7 @@ private:
   // Returns the quadrangle on the other side of the layer.
   Quadrangle_of_hexahedron under(const std::size_t f) const
   {
-    constexpr std::array<std::size_t, 6> opposite_sides = { 1, 0, 4, 5, 2, 3 };
+    constexpr std::array<std::size_t, 6> opposite_sides = { 1, 0, 4, 5, 2, 3 }; // of quadrangles_of_hexahedron
     return { m_mesh.facet_cells[f], opposite_sides[side_of_facet(m_mesh, f)] };
   }
 

@@ -31,7 +31,7 @@ public:
     : m_complex(complex), m_embedding(embedding), m_mesh(mesh), m_edge(edge), m_boundary(boundary)
   {
     collect_paths();
-    collect_walls();
+    find_arcs_of_edges();
     const std::set<std::size_t> cramped = cramped_regions();
     if(may_remove_layers)
       remove_layers(cramped);
@@ -93,21 +93,22 @@ private:
       m_regions.push_back(m_embedding.region(f));
   }
 
-  void collect_walls()
+  // Finds the arc of each edge in a path, anew if the paths have changed.
+  void find_arcs_of_edges()
   {
-    m_walls.clear();
+    m_arc_of_edge.clear();
     for(std::size_t a = 0; a < m_paths.size(); ++a)
       for(std::size_t i = 1; i < m_paths[a].size(); ++i)
-        m_walls[sorted(Edge{ m_paths[a][i - 1], m_paths[a][i] })] = a;
+        m_arc_of_edge[sorted(Edge{ m_paths[a][i - 1], m_paths[a][i] })] = a;
   }
 
   // Returns whether an edge is between two regions. Patches on both sides of an arc are one region if another arc was given up.
   bool is_border(const Edge& edge) const
   {
-    const auto wall = m_walls.find(edge);
-    if(wall == m_walls.end())
+    const auto arc = m_arc_of_edge.find(edge);
+    if(arc == m_arc_of_edge.end())
       return false;
-    const auto& [left, right] = m_complex.arcs()[wall->second].patches;
+    const auto& [left, right] = m_complex.arcs()[arc->second].patches;
     return std::none_of(m_embedding.patches().begin(), m_embedding.patches().end(),
                         [&, l = left, r = right](const std::set<std::size_t>& patches)
                         { return patches.count(l) > 0 && patches.count(r) > 0; });
@@ -134,26 +135,28 @@ private:
     return result < 0 ? result + 2 * CGAL_PI : result;
   }
 
-  // Returns whether a quadrangle has two edges on one smooth curve, or at a corner that is almost straight in the region.
+  // Returns whether a quadrangle has two edges on one curve, or two edges of paths that meet without a corner between them, or at
+  // a corner where the region is almost straight.
   bool is_cramped(const std::size_t f) const
   {
-    constexpr double largest_angle = 2.6; // a guess; 150 degrees
+    constexpr double largest_angle = 2.6; // a guess; in radians, 149 degrees
     const std::array<std::size_t, 4>& q = m_mesh.facets[f];
-    std::map<std::size_t, std::set<std::size_t> > vertices_on; // curves
+    std::map<std::size_t, std::set<std::size_t> > vertices_of_curve;
     for(std::size_t i = 0; i < 4; ++i)
     {
-      const auto before = m_walls.find(edge_of_quadrangle(q, i + 3)), after = m_walls.find(edge_of_quadrangle(q, i));
-      if(after == m_walls.end())
+      const auto before = m_arc_of_edge.find(edge_of_quadrangle(q, i + 3)), after = m_arc_of_edge.find(edge_of_quadrangle(q, i));
+      if(after == m_arc_of_edge.end())
         continue;
-      vertices_on[m_complex.arcs()[after->second].curve].insert({ q[i], q[(i + 1) % 4] });
-      if(before == m_walls.end())
+      vertices_of_curve[m_complex.arcs()[after->second].curve].insert({ q[i], q[(i + 1) % 4] });
+      if(before == m_arc_of_edge.end())
         continue;
       const auto corner = m_corners.find(q[i]);
       if(corner == m_corners.end() || m_complex.arcs()[before->second].curve == m_complex.arcs()[after->second].curve
          || angle(corner->second, before->second, after->second, m_regions[f]) > largest_angle)
         return true;
     }
-    return std::any_of(vertices_on.begin(), vertices_on.end(), [](const auto& curve) { return curve.second.size() > 2; });
+    return std::any_of(vertices_of_curve.begin(), vertices_of_curve.end(),
+                       [](const auto& curve) { return curve.second.size() > 2; }); // those of two opposite edges
   }
 
   std::set<std::size_t> cramped_regions() const
@@ -181,7 +184,7 @@ private:
     for(const std::size_t f : removal.facets())
       regions.push_back(m_regions[f]);
     m_regions = regions;
-    collect_walls();
+    find_arcs_of_edges();
   }
 
   // Puts sheets of hexahedra around the layer under each region with a cramped quadrangle, so that no other quadrangle there has
@@ -452,7 +455,7 @@ private:
   const double m_edge;
   const Body_surface_3& m_boundary;
   bool m_has_removed_layers = false;
-  std::map<Edge, std::size_t> m_walls;           // the arc of each edge in a path
+  std::map<Edge, std::size_t> m_arc_of_edge;           // the arc of each edge in a path
   std::vector<std::vector<std::size_t> > m_paths; // vertices of each arc
   std::map<std::size_t, std::size_t> m_corners;  // by their vertices
   std::vector<std::size_t> m_regions;            // of each quadrangle

@@ -46,7 +46,7 @@ class Corners_of_hexahedra_3
 public:
   using Corner = std::array<std::size_t, 4>;
 
-  // Takes whether each vertex stays.
+  // Orders vertices and corners, of which corner k of hexahedron c has the user number 8 c + k. Takes whether each vertex stays.
   Corners_of_hexahedra_3(const Hexahedra_3& mesh, const std::vector<bool>& is_fixed, const bool is_parallel)
   {
     std::vector<std::array<int, 4> > corners;

@@ -27,13 +27,6 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 using Edge_of_triangle_3 = std::array<std::size_t, 2>;
 
-inline Exact_predicates_inexact_constructions_kernel::Triangle_3 triangle_at(const std::vector<Vector_3>& positions,
-                                                                             const Triangle_3& triangle)
-{
-  const auto& [a, b, c] = triangle;
-  return { exact_point(positions[a]), exact_point(positions[b]), exact_point(positions[c]) };
-}
-
 // Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter.
 template <typename Function>
 void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Triangle_3>& triangles,
@@ -41,7 +34,7 @@ void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Tri
 {
   AABB_trees_3::Triangles triangles_in_space;
   for(const Triangle_3& triangle : triangles)
-    triangles_in_space.push_back(triangle_at(positions, triangle));
+    triangles_in_space.push_back(triangle_of(positions, triangle));
   AABB_trees_3::Of_triangles tree(triangles_in_space.cbegin(), triangles_in_space.cend());
   tree.accelerate_distance_queries();
   for(const Vector_3& p : points)
@@ -185,7 +178,7 @@ inline double uncovered(const std::vector<Vector_3>& positions, const Cover_of_v
   {
     double least = (std::numeric_limits<double>::infinity)();
     for(auto triangle = cover.triangles.begin(); triangle != cover.triangles.end() && least > tolerance; ++triangle)
-      least = (std::min)(least, std::sqrt(squared_distance(exact_point(p), triangle_at(positions, *triangle))));
+      least = (std::min)(least, std::sqrt(squared_distance(exact_point(p), triangle_of(positions, *triangle))));
     sum += std::pow((std::max)(0., least - tolerance), 2);
   }
   for(const auto& [surface, edge] : cover.far_edges)

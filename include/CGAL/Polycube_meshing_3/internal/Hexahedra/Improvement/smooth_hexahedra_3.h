@@ -120,7 +120,7 @@ public:
 
   const Corners_of_vertex& corners(const std::size_t v) const { return m_corners[v]; }
 
-  // Calls f for the vertices whose costs depend on that of a vertex.
+  // Calls f for the vertices whose costs depend on the position of a vertex, for some of them several times.
   template <typename Function>
   void for_each_vertex_near(const std::size_t v, const Function& f) const
   {

@@ -72,12 +72,47 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_doma
   return result;
 }
 
-// Moves vertices inside of patches along their normals such that each subdomain keeps its volume: with all vertices on a sphere,
-// volume would be lost to the chords. One interface after the other takes the distance of the least errors, relative to the
-// volumes. No hexahedron gets worse by more than a part of its scaled Jacobian.
-inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& interfaces, Hexahedra_3& mesh)
+// Returns the distance out of the first of two subdomains by which their interface must move for the least sum of the squares of
+// the relative errors of both volumes; 0 if no area of it moves.
+inline double distance_of_least_errors(const std::vector<Subdomain_volumes>& volumes_of_all, const Body_interfaces_3::Pair& pair,
+                                       const double area)
+{
+  double gradient = 0, curvature = 0;
+  for(const Subdomain_volumes& volumes : volumes_of_all)
+    if(volumes.reference == pair[0] || volumes.reference == pair[1])
+    {
+      const double slope = (volumes.reference == pair[0] ? area : -area) / volumes.of_tetrahedra;
+      gradient += slope * (volumes.of_hexahedra / volumes.of_tetrahedra - 1);
+      curvature += slope * slope;
+    }
+  return curvature == 0 ? 0 : -gradient / curvature;
+}
+
+// Moves the vertices of each hexahedron that lost too much of its scaled Jacobian back, and fixes them, until none has lost it.
+inline void undo_losses(const std::vector<Vector_3>& before, const std::vector<double>& quality, Hexahedra_3& mesh,
+                        std::vector<bool>& may_move)
 {
   constexpr double largest_loss = 0.1; // a guess
+  for(bool has_changed = true; has_changed; )
+  {
+    has_changed = false;
+    const std::vector<double> next = scaled_jacobians(mesh);
+    for(std::size_t c = 0; c < mesh.cells.size(); ++c)
+      if(next[c] < (1 - largest_loss) * quality[c] || !is_positive_hexahedron(mesh.points, mesh.cells[c]))
+        for(const std::size_t v : mesh.cells[c])
+          if(mesh.points[v] != before[v])
+          {
+            mesh.points[v] = before[v];
+            may_move[v] = false;
+            has_changed = true;
+          }
+  }
+}
+
+// Moves vertices inside of patches along their normals such that each subdomain keeps its volume: if all vertices are on a curved
+// interface, its chords cut volume off. Vertices stay where a hexahedron would lose more than a tenth of its scaled Jacobian.
+inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& interfaces, Hexahedra_3& mesh)
+{
   constexpr int number_of_rounds = 5;  // a guess
   std::vector<Interface_quadrangle_3> quadrangles = interface_quadrangles_3(mesh);
   set_patches(mesh, interfaces, quadrangles);
@@ -103,34 +138,13 @@ inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& in
       double area = 0;
       for(const std::size_t v : vertices)
         area += may_move[v] * areas[v].norm();
-      double gradient = 0, curvature = 0; // of the sum of the squares of both errors
       measure_hexahedra(mesh, volumes_of_all);
-      for(const Subdomain_volumes& volumes : volumes_of_all)
-        if(volumes.reference == pair[0] || volumes.reference == pair[1])
-        {
-          const double slope = (volumes.reference == pair[0] ? area : -area) / volumes.of_tetrahedra;
-          gradient += slope * (volumes.of_hexahedra / volumes.of_tetrahedra - 1);
-          curvature += slope * slope;
-        }
-      if(curvature == 0)
-        continue;
+      const double distance = distance_of_least_errors(volumes_of_all, pair, area);
       const std::vector<Vector_3> before = mesh.points;
       for(const std::size_t v : vertices)
         if(may_move[v])
-          mesh.points[v] -= gradient / curvature * areas[v].stableNormalized();
-      for(bool is_final = false; !is_final; )
-      {
-        is_final = true;
-        const std::vector<double> next = scaled_jacobians(mesh);
-        for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-          if(next[c] < (1 - largest_loss) * quality[c] || !is_positive_hexahedron(mesh.points, mesh.cells[c]))
-            for(const std::size_t v : mesh.cells[c])
-              if(mesh.points[v] != before[v])
-              {
-                mesh.points[v] = before[v];
-                is_final = may_move[v] = false;
-              }
-      }
+          mesh.points[v] += distance * areas[v].stableNormalized();
+      undo_losses(before, quality, mesh, may_move);
     }
 }
 

@@ -108,6 +108,8 @@ private:
       mesh.point(v) = exact_point((faces.point(v) + sums[v] / mesh.degree(v)) / 2);
   }
 
+  // Moves each vertex a part of the way to the plane of the facet that is nearest in position and normal. The target is at most
+  // half a voxel from the center of the facet, because the plane may leave the surface.
   void project(Voxel_faces_3& faces, const double part) const
   {
     const std::vector<Vector_3> normals = faces.normals_of_vertices();
@@ -115,10 +117,11 @@ private:
     {
       const Vector_3 p = faces.point(v);
       const std::size_t f = m_nearest.nearest(p, normals[v]);
-      Vector_3 to = p - (p - m_facets.centers[f]).dot(m_facets.normals[f]) * m_facets.normals[f] - m_facets.centers[f];
-      if(const double distance = to.norm(); distance > m_spacing / 2)
-        to = m_spacing / 2 / distance * to; // the plane may leave the surface
-      faces.mesh.point(v) = exact_point(p + part * (m_facets.centers[f] + to - p));
+      const Vector_3 &center = m_facets.centers[f], &normal = m_facets.normals[f];
+      Vector_3 offset = p - (p - center).dot(normal) * normal - center;
+      if(const double distance = offset.norm(); distance > m_spacing / 2)
+        offset = m_spacing / 2 / distance * offset;
+      faces.mesh.point(v) = exact_point(p + part * (center + offset - p));
     }
   }
 

@@ -30,8 +30,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the sums of the normals of facets around the vertices, weighted by area.
-inline std::vector<Vector_3> normals_of_vertices(const Boundary_mesh_3& mesh)
+// Returns for each vertex the sum of the area vectors of the facets around it: a normal, but not of unit length.
+inline std::vector<Vector_3> area_vectors_of_vertices(const Boundary_mesh_3& mesh)
 {
   std::vector<Vector_3> result(mesh.number_of_vertices(), Vector_3::Zero());
   const Facets_3 facets(mesh);
@@ -60,7 +60,7 @@ chains_from_corner(const Boundary_mesh_3& faces, const Polycube_charts_3& charts
 inline Vertices_of_corners_3 vertices_of_corners_3(const Boundary_mesh_3& mesh, const Voxel_faces_3& faces,
                                                    const Polycube_charts_3& charts)
 {
-  const std::vector<Vector_3> points = points_of(mesh), normals = normals_of_vertices(mesh),
+  const std::vector<Vector_3> points = points_of(mesh), normals = area_vectors_of_vertices(mesh),
                               normals_of_faces = faces.normals_of_vertices();
   std::vector<bool> is_used(points.size(), false);
   Vertices_of_corners_3 result;
@@ -96,8 +96,8 @@ inline void split_around(const Vertices_of_corners_3& vertices, Unit_surface_3& 
   split_edges_3({ edges.begin(), edges.end() }, surface);
 }
 
-// Chooses for each row of costs a column, in an order that is cyclic for both, such that the sum is least. Nothing if there are
-// fewer columns.
+// Returns a column for each row of costs, at least one, such that the sum is least and the columns follow each other cyclically
+// as the rows do; none if there are fewer columns than rows. Uses dynamic programming for each column of the first row.
 inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<double> >& costs)
 {
   constexpr double infinity = (std::numeric_limits<double>::infinity)();
@@ -106,6 +106,7 @@ inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<
   double least = infinity;
   for(std::size_t shift = 0; shift < columns; ++shift) // the column of the first row
   {
+    // Least sums of the rows up to j if row j has the column shift + i, and the place of the column of row j - 1 then.
     std::vector<std::vector<double> > sums(rows, std::vector<double>(columns, infinity));
     std::vector<std::vector<std::size_t> > previous(rows, std::vector<std::size_t>(columns, 0));
     sums[0][0] = costs[0][shift];
@@ -135,7 +136,7 @@ inline std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index
 first_halfedges_of_chains_3(const Boundary_mesh_3& mesh, const Boundary_mesh_3& faces, const Polycube_charts_3& charts,
                             const Vertices_of_corners_3& vertices)
 {
-  const std::vector<Vector_3> normals = normals_of_vertices(mesh);
+  const std::vector<Vector_3> normals = area_vectors_of_vertices(mesh);
   std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index> result;
   for(const auto& [corner, v] : vertices)
   {

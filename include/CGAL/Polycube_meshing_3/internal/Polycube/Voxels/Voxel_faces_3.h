@@ -181,7 +181,8 @@ inline bool are_neighbors_those_of_charts(const Charts_of_voxels_3& charts, cons
          && without_repetitions(std::move(neighbors)) == without_repetitions(std::move(neighbors_of_pieces));
 }
 
-// Returns the two points of the edge between the face of a voxel in a direction and the one across another direction.
+// Returns the numbers that the ends of an edge have among the corners of all voxels: the edge of a face towards an orthogonal
+// direction.
 inline std::array<std::size_t, 2> points_of_edge(const Voxels_3& voxels, const std::size_t face, const std::size_t direction)
 {
   const auto number = [&](const Eigen::Vector3i& p)

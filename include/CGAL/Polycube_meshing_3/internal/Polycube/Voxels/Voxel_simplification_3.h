@@ -82,7 +82,7 @@ public:
 private:
   static constexpr int maximum_number_of_layers = 4; // a guess
 
-  // Undoes moves: voxels that changed, and pieces with the faces that they had before.
+  // Changes by moves, which can be undone: voxels, and pieces with the faces that they had before.
   struct Changes
   {
     std::vector<std::size_t> voxels;
@@ -142,8 +142,9 @@ private:
       m_voxels.is_inside[v] = is_inside;
   }
 
-  // Returns the faces that vanish with a layer, and those that get their pieces: faces of the chart those of the moved chart,
-  // faces of the sides those beyond if the sides go on, or else those of the moved chart, too.
+  // Returns each face that has vanished with a layer, which was added or removed before, and the face that takes its pieces. A
+  // face of the chart gives them to the moved chart. A face beside the layer gives them to the next face of its side, or to the
+  // moved chart if there is none.
   std::vector<std::pair<std::size_t, std::size_t> > moved_faces(const std::vector<std::size_t>& layer, const std::size_t d,
                                                                 const bool is_outward)
   {

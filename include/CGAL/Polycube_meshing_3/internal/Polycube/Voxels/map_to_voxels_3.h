@@ -26,9 +26,9 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns coordinates of charts that keep the order of the planes of the voxels along each axis, with a gap between planes at
-// least: the polycube stays embedded, as space is mapped by monotone functions of the coordinates. Among such coordinates, they
-// are those closest to the means of the planes on the surface in the sense of least squares.
+// Returns coordinates of charts that keep the order of the planes of the voxels along each axis and are at least a gap apart. The
+// polycube stays embedded, because monotone functions of the coordinates map space. Among such coordinates, those are returned
+// that are closest to the mean coordinates of the planes on the surface, by least squares.
 inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets, const std::vector<std::size_t>& chart_of_facet,
                                                          const std::vector<std::size_t>& label_of_chart,
                                                          const std::vector<int>& plane_of_chart, const double gap,
@@ -42,14 +42,12 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
     for(std::size_t c = 0; c < label_of_chart.size(); ++c)
       if(is_along_axis(c))
         number_of_plane.emplace(plane_of_chart[c], 0);
-    std::vector<Order_of_coordinates> orders;
     std::size_t n = 0;
     for(auto& [plane, number] : number_of_plane)
-    {
       number = n++;
-      if(number > 0)
-        orders.push_back({ number - 1, number, gap });
-    }
+    std::vector<Order_of_coordinates> orders; // a chain, which always has coordinates
+    for(std::size_t k = 1; k < n; ++k)
+      orders.push_back({ k - 1, k, gap });
     std::vector<double> areas(n, 0), moments(n, 0);
     for(std::size_t f = 0; f < chart_of_facet.size(); ++f)
       if(const std::size_t c = chart_of_facet[f]; is_along_axis(c))
