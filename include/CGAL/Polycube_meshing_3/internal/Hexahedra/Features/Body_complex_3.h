@@ -93,6 +93,13 @@ public:
 
   std::size_t patch_of_facet(const std::array<std::size_t, 3>& facet) const { return patch_on_left(facet[0], facet[1]); }
 
+  // Returns whether this complex has the arcs of another one.
+  bool has_arcs_of(const Body_complex_3& other) const
+  {
+    return std::equal(m_arcs.begin(), m_arcs.end(), other.m_arcs.begin(), other.m_arcs.end(),
+                      [](const Arc_3& a, const Arc_3& b) { return a.vertices == b.vertices; });
+  }
+
   // Returns the center of the largest facet of a patch.
   Vector_3 point_in_patch(const std::size_t patch) const
   {

@@ -17,6 +17,8 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Interfaces/Positions_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
 
+#include <unordered_map>
+
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Finds vertices for corners, and disjoint paths of edges for arcs, on the boundary of hexahedra. The paths meet at corners in
@@ -92,7 +94,7 @@ public:
   std::size_t region(const std::size_t quadrangle) const { return m_regions[quadrangle]; }
   const std::vector<std::set<std::size_t> >& patches() const { return m_patches; } // of each region
 
-  // Returns whether an arc ends in a corner.
+  // Returns whether an arc that is not given up ends in a corner.
   bool is_used(const std::size_t corner) const
   {
     const std::vector<End_of_arc_3>& ends = m_complex.corners()[corner].ends;
@@ -366,8 +368,9 @@ private:
     give_up(m_complex.arcs()[longest.second].curve);
   }
 
-  // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
-  // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts.
+  // Returns whether paths of the arcs that are left are disjoint and in order. After the first round, only arcs with conflicts get
+  // other paths. Curves are given up after the last round, or when rounds do not lower a large number of conflicts: one curve, or
+  // as many as have a tenth of the conflicts.
   bool find_paths(const Budget& budget)
   {
     constexpr int number_of_rounds = 45, patience = 12, largest_number_given_up = 60; // guesses
@@ -388,7 +391,7 @@ private:
           ++round, price = (std::min)(1.25 * price, 40.))
       {
         for(const std::size_t a : order)
-          if(!m_is_dropped[a])
+          if(!m_is_dropped[a] && (round == 0 || conflicts(a) > 0))
           {
             occupy(a, -1);
             m_paths[a] = route(a, price);
@@ -514,7 +517,7 @@ private:
   std::vector<Vector_3> m_centers, m_normals; // of quadrangles
   std::vector<bool> m_is_dropped;             // of each arc
   std::vector<std::vector<std::size_t> > m_paths; // edges of each arc
-  std::vector<std::map<std::size_t, double> > m_costs, m_deviations;
+  std::vector<std::unordered_map<std::size_t, double> > m_costs, m_deviations; // of edges for arcs, quadrangles for patches
   std::vector<std::array<std::size_t, 2> > m_ports; // vertices by which arcs should leave their corners
   std::vector<std::size_t> m_corner_at, m_vertices; // corner of each vertex, vertex of each corner
   std::vector<double> m_history, m_history_of_edges, m_penalties; // of vertices, edges, corners

@@ -334,6 +334,8 @@ inline Complex_with_paths_3 complex_with_paths_3(const Body_with_domain_3& body,
     {
       Complex_with_paths_3 next
         = { std::make_unique<Body_complex_3>(body.soup, body.points, width_without_room * others.edge, length), nullptr };
+      if(best.complex && next.complex->has_arcs_of(*best.complex))
+        break;
       next.features = embedded_features_3(*next.complex, others.mesh, others.edge, budget);
       if(!best.complex || next.number_given_up() < best.number_given_up())
         best = std::move(next);
