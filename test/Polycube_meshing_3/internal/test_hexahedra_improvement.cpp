@@ -192,7 +192,7 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
   std::iter_swap(vertex_at({ 0, 0, 0 }), vertex_at({ 1, 0, 0 }));
   Sliding_hexahedra sliding(cube, mesh);
   PM::internal::Best_hexahedra_3 best;
-  PM::internal::Hexahedra_improvement_3(sliding.hexahedra, false, sliding.budget, best).run(false);
+  PM::internal::Hexahedra_improvement_3(sliding.hexahedra, false, sliding.budget, best).run();
   CHECK(smallest_determinant(best.mesh) > 0);
   for(const std::array<std::size_t, 4>& quadrangle : best.mesh.facets)
     for(const std::size_t v : quadrangle)
@@ -222,7 +222,7 @@ TEST_CASE("The worst corners are not improved if many corners are inverted, whic
   VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
   PM::internal::Sliding_hexahedra_3 hexahedra(placed, linear_solver, false, budget);
   PM::internal::Best_hexahedra_3 best;
-  PM::internal::Hexahedra_improvement_3(hexahedra, false, budget, best, std::nullopt).run(false);
+  PM::internal::Hexahedra_improvement_3(hexahedra, false, budget, best, std::nullopt).run();
   CHECK(best.result.number_of_inverted_corners > 0);
   CHECK((rounds["worst corners"] == 0) == are_many);
   CHECK(rounds["corners"] < 5); // the first ones untangle some corners

@@ -297,7 +297,7 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std:
     Best_hexahedra_3 next = { edge, {}, {}, start.staircases };
     for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
       if(!is_at_least(next.result, usable_scaled_jacobian))
-        Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run(false);
+        Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run();
     result.take(next.result, next.mesh);
     if(is_at_least(result.result, usable_scaled_jacobian))
       break;
@@ -350,8 +350,8 @@ inline bool may_replace(const Best_hexahedra_3& others, const Hexahedral_mesh_re
     && with_features.boundary_distance <= (std::max)(largest_distance * others.edge, others.result.boundary_distance);
 }
 
-// Returns hexahedra with more features of the body than others have, and with interfaces not farther from them beyond a tolerance;
-// none if these may not replace the others.
+// Returns hexahedra with more features of the body than others have, with no marked corner less, and with interfaces not farther
+// from them beyond a tolerance; none if these may not replace the others.
 inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
                                                                  const Body_with_domain_3& body, Body_interfaces_3& interfaces,
                                                                  const Best_hexahedra_3& others, const Budget& budget)
@@ -365,6 +365,7 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
                                                  problem.solver, body.is_parallel, budget);
   if(!may_replace(others, result.result, problem.minimum_scaled_jacobian)
      || number_of_kept(kept_features_3(complex, body.surface, result.mesh, result.edge)) <= number_of_kept(before)
+     || corners_given_up_3(body, result.mesh).size() > corners_given_up_3(body, others.mesh).size()
      || interface_distance_3(result.mesh, interfaces).distance
           > (std::max)(tolerance_of_interfaces * others.edge, interface_distance_3(others.mesh, interfaces).distance))
     return std::nullopt;

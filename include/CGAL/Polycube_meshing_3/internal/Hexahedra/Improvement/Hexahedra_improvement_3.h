@@ -15,6 +15,7 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Best_hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Improvement/Sliding_hexahedra_3.h>
 
+#include <limits>
 #include <optional>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -29,14 +30,16 @@ public:
     : m_hexahedra(hexahedra), m_has_padding(has_padding), m_bound_of_lines(bound_of_lines), m_budget(budget), m_best(best)
   {}
 
-  void run(const bool may_leave_surface)
+  // Improves corners as soon as few are inverted.
+  void run()
   {
-    if(untangle(may_leave_surface))
-      polish();
+    evaluate();
+    move_all((std::numeric_limits<double>::infinity)());
+    polish();
   }
 
-  // Moves vertices until few corners are inverted. If vertices may leave the surface, they do so before all else. Returns false
-  // if corners stay inverted there: all else would be in vain.
+  // Moves vertices until no corner is inverted and their mean gains little. If vertices may leave the surface, they do so before
+  // all else. Returns false if corners stay inverted there: all else would be in vain.
   bool untangle(const bool may_leave_surface)
   {
     evaluate();
@@ -47,15 +50,16 @@ public:
       if(!is_untangled)
         return false;
     }
-    move_all();
+    constexpr double least_gain = 0.002; // a guess
+    move_all(least_gain);
     return true;
   }
 
-  // Improves the worst corners and the distance from the boundary.
+  // Improves corners and the distance from the boundary.
   void polish()
   {
     if(has_few_inverted_corners())
-      improve_worst_corners();
+      improve_corners();
     approach_boundary();
   }
 
@@ -94,14 +98,13 @@ private:
     evaluate();
   }
 
-  // Moves all vertices at once: first those inside, then all, and in the end for the sake of the worst corners, until the mean
-  // gains little. Where corners are inverted or almost flat in between, their vertices move one after the other. They alone move
-  // while that untangles some and corners are so flat that they hold up all others. Rounds that do not halve the number of
-  // inverted corners are in vain; then vertices on lines may leave the lines.
-  void move_all()
+  // Moves all vertices at once: first those inside, then all, and in the end for the sake of poor corners, until no corner is
+  // inverted and a round gains little for the mean. Where corners are inverted or almost flat in between, their vertices move one
+  // after the other. They alone move while that untangles some and corners are so flat that they hold up all others. Rounds that
+  // do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines.
+  void move_all(const double least_gain)
   {
-    constexpr int number_of_first_rounds = 3;                // a guess
-    constexpr double least_gain = 0.002;                     // a guess; gain of the mean in a round
+    constexpr int number_of_first_rounds = 3; // a guess
     std::size_t fewest_inverted_corners = m_result.number_of_inverted_corners;
     for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < (has_few_inverted_corners() ? patience : patience - 1)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
@@ -120,34 +123,39 @@ private:
       }
       in_vain = m_result.number_of_inverted_corners <= fewest_inverted_corners / 2 ? 0 : in_vain + 1;
       fewest_inverted_corners = (std::min)(fewest_inverted_corners, m_result.number_of_inverted_corners);
-      if(round >= number_of_first_rounds && m_result.number_of_inverted_corners == 0
+      if(round + 1 >= number_of_first_rounds && m_result.number_of_inverted_corners == 0
          && m_result.mean_scaled_jacobian < mean + least_gain)
         break;
     }
   }
 
-  // Improves the worst corners and the hexahedra that are inverted inside, one vertex after the other and all at once in turn,
-  // until a few rounds gain nothing. While corners are inverted, a gain is a smaller number of inverted corners or hexahedra than
-  // ever before. If a round gains nothing and corners are positive but poor, points that the boundary does not cover count less,
-  // and the vertices of corners below the bound leave their lines.
-  void improve_worst_corners()
+  // Improves corners, the worst ones most, and the hexahedra that are inverted inside, all vertices at once and, until the least
+  // scaled Jacobian suffices, one vertex after the other in turn, until a few rounds gain neither for the least one nor the mean.
+  // While corners are inverted, a gain is a smaller number of inverted corners or hexahedra than ever before. If a round gains
+  // nothing and corners are positive but poor, points that the boundary does not cover count less, and the vertices of corners
+  // below the bound leave their lines.
+  void improve_corners()
   {
-    constexpr double least_gain = 0.005; // a guess; in a round
+    constexpr double least_gain = 0.005, least_gain_of_mean = 0.002; // guesses; in a round
+    const auto suffices = [this]
+    { return m_result.minimum_scaled_jacobian >= sufficient_scaled_jacobian && m_result.number_of_inverted_hexahedra == 0; };
     double price_of_uncovered = usual_price;
     std::size_t fewest_corners = m_result.number_of_inverted_corners, fewest_hexahedra = m_result.number_of_inverted_hexahedra;
     for(int round = 0, in_vain = 0;
-        round < number_of_rounds && in_vain < patience
-        && (m_result.minimum_scaled_jacobian < sufficient_scaled_jacobian || m_result.number_of_inverted_hexahedra > 0)
+        round < number_of_rounds && in_vain < (suffices() ? 1 : patience)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
-      const double before = m_result.minimum_scaled_jacobian;
-      if(round > 0 && !is_held_up())
+      const double before = m_result.minimum_scaled_jacobian, mean = m_result.mean_scaled_jacobian;
+      if((round > 0 || suffices()) && !is_held_up())
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();
       }
-      smooth(price_of_uncovered);
-      const bool is_gain = (m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian > before + least_gain)
+      if(!suffices())
+        smooth(price_of_uncovered);
+      const bool is_gain = (m_result.number_of_inverted_corners == 0
+                            && (m_result.minimum_scaled_jacobian > before + least_gain
+                                || m_result.mean_scaled_jacobian > mean + least_gain_of_mean))
                            || m_result.number_of_inverted_corners < fewest_corners
                            || m_result.number_of_inverted_hexahedra < fewest_hexahedra;
       fewest_corners = (std::min)(fewest_corners, m_result.number_of_inverted_corners);
