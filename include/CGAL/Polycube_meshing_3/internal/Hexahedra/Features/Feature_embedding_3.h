@@ -368,9 +368,9 @@ private:
     give_up(m_complex.arcs()[longest.second].curve);
   }
 
-  // Returns whether paths of the arcs that are left are disjoint and in order. After the first round, only arcs with conflicts get
-  // other paths. Curves are given up after the last round, or when rounds do not lower a large number of conflicts: one curve, or
-  // as many as have a tenth of the conflicts.
+  // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
+  // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts. Since then, only arcs
+  // with conflicts get other paths after the first round.
   bool find_paths(const Budget& budget)
   {
     constexpr int number_of_rounds = 45, patience = 12, largest_number_given_up = 60; // guesses
@@ -391,7 +391,7 @@ private:
           ++round, price = (std::min)(1.25 * price, 40.))
       {
         for(const std::size_t a : order)
-          if(!m_is_dropped[a] && (round == 0 || conflicts(a) > 0))
+          if(!m_is_dropped[a] && (round == 0 || number_given_up == 0 || conflicts(a) > 0))
           {
             occupy(a, -1);
             m_paths[a] = route(a, price);
