@@ -108,12 +108,13 @@ If the mesh is written, it has these properties:
 Sharp edges are the marked edges of the soup, or the 1-dimensional features of the complex. If none of them is on the boundary,
 edges with 60 degrees or more between the normals on both sides are sharp.
 
-<b>Quality</b>. First, vertices are moved by an energy that untangles the corners of hexahedra \cgalCite{cgal:gkkrs-ffm-21}, and
-makes them similar to corners of boxes. Then vertices at the worst corners move one after the other. Vertices on the boundary
-slide on it. If an edge of the domain is mapped to a smooth part of the boundary, a layer of hexahedra is inserted along the
-adjacent faces. (See Cherchi, Alliez, Scateni, Lyon and Bommes, Selective padding for polycube-based hexahedral meshing, 2019.)
-If the hexahedra remain poor, the function also tries other layers. Fewer inverted hexahedra come first in the comparison of
-meshes. Then the minimal and the mean scaled Jacobian and the distance of the boundaries count.
+<b>Quality</b>. First, vertices are moved by an energy that untangles the corners of hexahedra \cgalCite{cgal:gkkrs-ffm-21},
+and makes them similar to corners of boxes. Vertices at the worst corners also move one after the other. This ends when neither
+the least scaled Jacobian nor the mean gains. Vertices on the boundary slide on it. If an edge of the domain is mapped to a
+smooth part of the boundary, a layer of hexahedra is inserted along the adjacent faces. (See Cherchi, Alliez, Scateni, Lyon and
+Bommes, Selective padding for polycube-based hexahedral meshing, 2019.) If the hexahedra remain poor, the function also tries
+other layers. Fewer inverted hexahedra come first in the comparison of meshes. Then the minimal and the mean scaled Jacobian
+and the distance of the boundaries count.
 
 <b>Interfaces</b>. Quadrangles between subdomains follow the interfaces, with their borders, sharp edges and corners. Layers of
 hexahedra are inserted if a hexahedron has two quadrangles in a smooth part of an interface. If hexahedra would become nearly
@@ -123,22 +124,23 @@ if a subdomain loses much more of its volume. The result contains the volumes of
 interfaces. If this distance exceeds a tenth of the edges there, the message names the place.
 
 <b>Features</b>. The sharp edges of the boundary are cut into curves, which end at corners, and bound patches. If the hexahedra
-lose some of them, the function looks for vertices of the boundary for all corners, and for disjoint paths of edges for all curves.
-Edges of the boundary between subdomains have paths, too. Corners that are joined by a curve shorter than a tenth of an edge share
-a vertex. Curves that leave a corner with less than 11 degrees between them share their first edge, or with less than 7 degrees, if
-fewer curves are given up then. Paths compete for vertices by prices that grow. If this does not end, or a path leaves its patch on
-the wrong side, curves are given up one by one. A layer of hexahedra is inserted along the boundary, and removed again where each
-hexahedron under it has 50 to 130 degrees of the angle between patches. Sheets are inserted around patches in which a quadrangle
-would have two edges on a smooth curve. If a curve has more bends than its path has edges, sheets of hexahedra across the path are
-cut in two. So are sheets where curves were given up because others left no room, if fewer curves are given up then. These add at
-most half of the hexahedra. Vertices stay at bends. All others move along curves, in patches and on interfaces. If a scaled
-Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices leave curves. If this is not enough, all of the layer
-stays, and then the shortest curve near each such hexahedron is given up, in five attempts altogether. The mesh is taken if it is
-valid, no scaled Jacobian is below `minimum_scaled_jacobian`, its boundary is at most half an edge off that of the body, or no
-farther than before, and it keeps more features. Interfaces must be within a tenth of an edge, or no farther than before. This is
-tried with the first valid hexahedra of one subdomain, and if it fails, or there are several, with the best ones. If both fail, the
-mesh remains as it was. `Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The
-mesh has the edges along curves and the corners that are kept.
+lose some of them, the function looks for vertices of the boundary for all corners, and for disjoint paths of edges for all
+curves. Edges of the boundary between subdomains have paths, too. Corners that are joined by a curve shorter than a tenth of an
+edge share a vertex. Curves that leave a corner with less than 11 degrees between them share their first edge, or with less
+than 7 degrees, if fewer curves are given up then. Paths compete for vertices by prices that grow. If this does not end, or a
+path leaves its patch on the wrong side, curves are given up one by one. A layer of hexahedra is inserted along the boundary,
+and removed again where each hexahedron under it has 50 to 130 degrees of the angle between patches. Sheets are inserted around
+patches in which a quadrangle would have two edges on a smooth curve. If a curve has more bends than its path has edges, sheets
+of hexahedra across the path are cut in two. So are sheets where curves were given up because others left no room, if fewer
+curves are given up then. These add at most half of the hexahedra. Vertices stay at bends. All others move along curves, in
+patches and on interfaces. If a scaled Jacobian would be below 0.01, or a hexahedron inverted inside, its vertices leave
+curves. If this is not enough, all of the layer stays, and then the shortest curve near each such hexahedron is given up, in
+five attempts altogether. The mesh is taken if it is valid, no scaled Jacobian is below `minimum_scaled_jacobian`, its boundary
+is at most half an edge off that of the body, or no farther than before, and it keeps more features and no marked corner less.
+Interfaces must be within a tenth of an edge, or no farther than before. This is tried with the first valid hexahedra of one
+subdomain, and if it fails, or there are several, with the best ones. If both fail, the mesh remains as it was.
+`Hexahedral_mesh_result::features` lists what is kept and what is not, and the message names a place. The mesh has the edges
+along curves and the corners that are kept.
 
 <b>Validity</b>. The 27 Bernstein coefficients of the determinant bound its sign. If they leave the sign open, the hexahedron is
 subdivided (Johnen, Weill and Remacle, Robust and efficient validation of the linear hexahedral element, 2017).

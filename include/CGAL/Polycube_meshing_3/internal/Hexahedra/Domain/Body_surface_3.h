@@ -26,6 +26,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
+// Returns the triangle of three points, for searches and distances.
 inline AABB_trees_3::Kernel::Triangle_3 triangle_of(const std::vector<Vector_3>& points,
                                                     const std::array<std::size_t, 3>& vertices)
 { return { exact_point(points[vertices[0]]), exact_point(points[vertices[1]]), exact_point(points[vertices[2]]) }; }
