@@ -199,6 +199,22 @@ TEST_CASE("Vertices leave sharp edges where corners would stay inverted on them"
       CHECK((best.mesh.points[v] - Coordinates_3(3, 3, 3)).cwiseAbs().maxCoeff() == Approx(3));
 }
 
+TEST_CASE("Vertices leave an interface where corners would stay inverted on it")
+{
+  Sliding_hexahedra cube(Body(4, 0, same));
+  PM::internal::Placed_hexahedra_3 placed = cube.placed; // whose middle is to stay on a side
+  for(std::size_t v = 0; v < placed.positions.size(); ++v)
+    if((placed.mesh.points[v] - Coordinates_3(2, 2, 2)).norm() < 1e-9)
+    {
+      placed.mesh.points[v] = Coordinates_3(4, 2, 2);
+      placed.positions[v] = { placed.mesh.points[v], &cube.surface, PM::internal::Freedom_3::SURFACE, false };
+    }
+  PM::internal::Sliding_hexahedra_3 hexahedra(placed, cube.linear_solver, false, cube.budget);
+  PM::internal::Best_hexahedra_3 best;
+  PM::internal::Hexahedra_improvement_3(hexahedra, false, cube.budget, best).run();
+  CHECK(smallest_determinant(best.mesh) > 0);
+}
+
 TEST_CASE("The worst corners are not improved if many corners are inverted, which the map is to blame for")
 {
   using PM::internal::Freedom_3;

@@ -21,7 +21,7 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Improves hexahedra, and gives the best ones that it meets to others. Vertices of corners that stay inverted or below a bound
-// leave their lines; without a bound, none does.
+// leave their lines, and those of inverted ones their interfaces; without a bound, none does.
 class Hexahedra_improvement_3
 {
 public:
@@ -101,7 +101,7 @@ private:
   // Moves all vertices at once: first those inside, then all, and in the end for the sake of poor corners, until no corner is
   // inverted and a round gains little for the mean. Where corners are inverted or almost flat in between, their vertices move one
   // after the other. They alone move while that untangles some and corners are so flat that they hold up all others. Rounds that
-  // do not halve the number of inverted corners are in vain; then vertices on lines may leave the lines.
+  // do not halve the number of inverted corners are in vain; then their vertices may leave lines, and later interfaces.
   void move_all(const double least_gain)
   {
     constexpr int number_of_first_rounds = 3; // a guess

@@ -153,27 +153,33 @@ public:
   { smooth_hexahedra_3(m_corners, m_positions, m_covered, target, price_of_uncovered, m_budget, m_mesh); }
 
   // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, and those of hexahedra that are
-  // inverted inside alone, leave the lines, on which they perhaps cannot become better. Returns whether any vertex was on a line.
+  // inverted inside alone, leave the lines, on which they perhaps cannot become better. Inverted ones leave interfaces then.
+  // Returns whether any vertex left a line or an interface.
   bool leave_lines(const double bound)
   {
-    bool is_on_line = false;
-    const auto leave = [&](const std::size_t v)
+    bool has_left = false;
+    const auto leave = [&](const std::size_t v, const bool may_leave_interface)
     {
       Position_3& position = m_positions[v];
-      if(position.freedom != Freedom_3::LINE && position.freedom != Freedom_3::NONE)
+      const bool is_on_line = position.freedom == Freedom_3::LINE || position.freedom == Freedom_3::NONE;
+      const bool is_on_interface = position.freedom == Freedom_3::SURFACE && !position.is_on_boundary;
+      if(!is_on_line && !(is_on_interface && may_leave_interface))
         return;
-      position.freedom = Freedom_3::SURFACE;
+      position.freedom = is_on_line ? Freedom_3::SURFACE : Freedom_3::SPACE;
       if(position.is_on_boundary) // also where it leaves an interface there
         position.surface = &boundary();
-      is_on_line = true;
+      has_left = true;
     };
     for(const std::array<std::size_t, 4>& corner : m_corners.corners())
-      if(!is_positive_corner(m_mesh.points, corner) || scaled_jacobian(edge_matrix(m_mesh.points, corner)) < bound)
-        std::for_each(corner.begin(), corner.end(), leave);
+      if(const bool is_inverted = !is_positive_corner(m_mesh.points, corner);
+         is_inverted || scaled_jacobian(edge_matrix(m_mesh.points, corner)) < bound)
+        for(const std::size_t v : corner)
+          leave(v, is_inverted);
     for(const std::array<std::size_t, 8>& hexahedron : m_mesh.cells)
       if(!is_positive_hexahedron(m_mesh.points, hexahedron) && has_positive_corners(hexahedron))
-        std::for_each(hexahedron.begin(), hexahedron.end(), leave);
-    return is_on_line;
+        for(const std::size_t v : hexahedron)
+          leave(v, true);
+    return has_left;
   }
 
 private:
