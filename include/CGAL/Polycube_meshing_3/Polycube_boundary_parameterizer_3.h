@@ -252,7 +252,8 @@ public:
 private:
   using Given = std::vector<std::size_t>; // labels
 
-  // Finds images of a boundary as it is given. If it may be refined, images of a boundary with more vertices may come first.
+  // Adds the boundaries that are mapped to polycubes, the cheapest one first, up to the first one without split edges. Returns the
+  // status of the search.
   Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
                   const internal::Budget& budget, std::vector<internal::Mapped_boundary_3>& boundaries) const
   {
@@ -276,7 +277,7 @@ private:
       for(int i = 0; i < 3; ++i)
         boundaries.back().rotation[i] = internal::coordinates(candidate.rotation.row(i));
       if(candidate.map.splits.empty())
-        break; // the body may be refined for it, and dearer ones are not better
+        break; // the inside of the body may be refined for this boundary; costlier ones are not better
     }
     return found.status;
   }

@@ -134,7 +134,8 @@ inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahed
   return result;
 }
 
-// Adds a set for each name of groups of a dimension. It stands in the place of a set with the same name.
+// Joins the sets of equally named groups of a dimension. The names are by dimension and reference, and the sets to join have names
+// of the prefix and a reference. A group replaces a set whose name is the same but for capitals.
 template <typename Item>
 void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
                 std::map<std::string, std::vector<Item> >& sets)

@@ -49,7 +49,8 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
 
 constexpr double largest_part_of_volume = 0.02; // of a subdomain: a larger deviation is an error; a guess
 
-// Makes the result an error that names where hexahedra deviate from the body.
+// Makes the result an error that names where hexahedra deviate from the body. The sentences follow those on earlier deviations, or
+// else precede the old message, of which the text for OK is removed.
 inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& result)
 {
   const std::string error = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA);

@@ -216,7 +216,7 @@ private:
       has_changed = true;
       for(const Face g : region)
         labels[g] = label;
-      add_rings(static_cast<int>(is_settled.size()), f, center_of_face, region); // all whose own regions reach beside it
+      add_rings(static_cast<int>(is_settled.size()), f, center_of_face, region); // faces whose regions touch this one
       for(const Face g : region)
         for(std::vector<bool>& of_rings : is_settled)
           of_rings[g] = false;

@@ -206,7 +206,7 @@ private:
     return { m_planes.at(*lowest)[axis], m_planes.at(*highest)[axis] };
   }
 
-  double shortest_edge(const std::size_t chart) const
+  double length_of_shortest_chain(const std::size_t chart) const
   {
     double result = (std::numeric_limits<double>::infinity)();
     for(const Edge& edge : m_edges)
@@ -221,7 +221,7 @@ private:
       if(m_are_separable && !(m_coordinate[low] < m_coordinate[high]))
       {
         m_are_separable = m_order.may_precede(low, high);
-        add_order({ low, high, smallest_part * shortest_edge(chart) });
+        add_order({ low, high, smallest_part * length_of_shortest_chain(chart) });
       }
   }
 

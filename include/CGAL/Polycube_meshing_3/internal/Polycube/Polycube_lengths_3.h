@@ -141,7 +141,7 @@ private:
     const auto gradients = chart.gradients(t);
     const Small_matrix<2, 2> J = chart.jacobian(gradients, x), V = eigen_decomposition_2(J.transpose() * J).vectors;
     const Small_matrix<2, 2> images = J * V;
-    Small_matrix<2, 2> U; // is what a rotation makes of V, such that flipped facets are turned back
+    Small_matrix<2, 2> U; // with the determinant of V: U V^T is a rotation, so that flipped facets are turned back
     U.col(1) = images.col(1).stableNormalized();
     U.col(0) << U(1, 1), -U(0, 1);
     if(V.determinant() < 0)
@@ -153,7 +153,7 @@ private:
     for(int i = 0; i < 2; ++i)
       for(int k = 0; k < 2; ++k)
       {
-        const double w = t.area * std::sqrt(weights[i] * weights[k]);
+        const double w = t.area * std::sqrt(weights[i] * weights[k]); // off the diagonal, the geometric mean
         const auto derivative = [&](const std::size_t f) { return U(functions[f].row, i) * turned(f, k); };
         for(std::size_t f = 0; f < functions.size(); ++f)
         {

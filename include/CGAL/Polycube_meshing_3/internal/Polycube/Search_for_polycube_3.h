@@ -45,7 +45,8 @@ public:
 private:
   using Labels = Normal_labels_3::Labels;
 
-  // Returns the polycube of the least distortion among those that can be finished.
+  // Returns the finished map to the polycube of the least distortion, of labels proposed for the costs and not tried before. Its
+  // status is an error if there is none.
   Surface_map_3 proposed(Normal_labels_3 costs)
   {
     const double factor = std::sqrt(2.); // a guess; from one smoothing, the weight of the lengths of borders, to the next one

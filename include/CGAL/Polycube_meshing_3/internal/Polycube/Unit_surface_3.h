@@ -60,7 +60,7 @@ struct Turned_surface_3 : Unit_surface_3
   {
     mesh = std::move(mesh_of_given);
     is_sharp = are_among(mesh, surface.sharp_edges);
-    if(rotation != Matrix_3::Identity()) // which would round
+    if(rotation != Matrix_3::Identity()) // a turn by the identity would round coordinates
       turn(bounding_box(points_of(mesh)).center());
     box = bounding_box(points_of(mesh));
     set_points(mesh, unit_points(mesh));

@@ -32,6 +32,7 @@ struct Separate_body_3
   std::vector<std::size_t> vertices;
 };
 
+// Returns the bodies of a surface, by cells that share points. Their surfaces do not point to their cells yet, as bodies may move.
 inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
 {
   std::size_t number_of_points = 0;

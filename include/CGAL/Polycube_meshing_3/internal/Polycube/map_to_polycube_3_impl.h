@@ -32,7 +32,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Adds a polycube to those that are sorted by their costs, if it was found. The first other reason why there are none remains.
+// Inserts the polycube of a map by its cost. If the map failed, its status becomes that of the search, unless a polycube was found
+// or an earlier map failed with another status than ERROR_NO_POLYCUBE.
 inline void add(const char* strategy, const Turned_surface_3& turned, Surface_map_3 map, Found_polycubes_3& found)
 {
   if(map.status == OK || found.status == ERROR_NO_POLYCUBE)

@@ -67,7 +67,7 @@ inline bool is_positive_corner(const std::vector<Vector_3>& points, const std::a
   return is_positive_cell({ point(0), point(1), point(2), point(3) });
 }
 
-// Returns the edges of a corner or a tetrahedron that lead from its first vertex to the others.
+// Returns the matrix whose columns are the edges of a corner or a tetrahedron from its first vertex to the others.
 template <typename Point>
 Matrix_3 edge_matrix(const std::vector<Point>& points, const std::array<std::size_t, 4>& vertices)
 {

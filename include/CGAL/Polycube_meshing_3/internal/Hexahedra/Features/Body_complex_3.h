@@ -48,13 +48,13 @@ struct Corner_3
 };
 
 // Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
-// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs. For
-// paths in hexahedra, of edges with a width, edges between subdomains are curves, too. Arcs that leave a corner as sides of a
-// needle share their first part, as long as they are within the width, if it has some length, in widths: hexahedra between them
-// would share the angle. Corners of an arc that is shorter than the width are one corner.
+// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs.
 class Body_complex_3
 {
 public:
+  // Takes the width in which hexahedra have no room, and the least length of a needle, in widths. If the width is positive, edges
+  // between subdomains are curves, corners of shorter arcs are one, and arcs along a needle share their part within the width:
+  // hexahedra between them would share the angle.
   Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0,
                  const double length_of_needles = 8)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
@@ -149,6 +149,7 @@ private:
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
 
+  // Returns the patch on the left of the edge from v to w; the first patch if no facet has this directed edge.
   std::size_t patch_on_left(const std::size_t v, const std::size_t w) const
   {
     const auto found = m_left.find({ v, w });

@@ -368,6 +368,18 @@ private:
     give_up(m_complex.arcs()[longest.second].curve);
   }
 
+  // Replaces paths in the given order: those of all arcs that are not given up, or of those with conflicts alone.
+  void reroute(const std::vector<std::size_t>& order, const double price, const bool have_conflicts)
+  {
+    for(const std::size_t a : order)
+      if(!m_is_dropped[a] && (!have_conflicts || conflicts(a) > 0))
+      {
+        occupy(a, -1);
+        m_paths[a] = route(a, price);
+        occupy(a, 1);
+      }
+  }
+
   // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
   // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts. Since then, only arcs
   // with conflicts get other paths after the first round.
@@ -390,13 +402,7 @@ private:
       for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted();
           ++round, price = (std::min)(1.25 * price, 40.))
       {
-        for(const std::size_t a : order)
-          if(!m_is_dropped[a] && (round == 0 || number_given_up == 0 || conflicts(a) > 0))
-          {
-            occupy(a, -1);
-            m_paths[a] = route(a, price);
-            occupy(a, 1);
-          }
+        reroute(order, price, round > 0 && number_given_up > 0);
         number = number_of_conflicts();
         if(number == 0)
           return true;

@@ -21,7 +21,8 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Layer_removal_3
 {
 public:
-  // Takes hexahedra with a layer, paths for their boundary, and the regions whose layer stays, with that of their neighbors.
+  // Takes the complex of the body, paths for its arcs, hexahedra with a layer along the boundary, and the regions whose layer
+  // stays, with that of their neighbors.
   Layer_removal_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
                   const std::set<std::size_t>& kept_regions)
     : m_complex(complex), m_embedding(embedding), m_graph(embedding.graph()), m_mesh(mesh),
@@ -30,7 +31,8 @@ public:
     for(std::size_t a = 0; a < complex.arcs().size(); ++a)
       for(const std::size_t e : embedding.path(a))
         m_arc_of_edge[e] = m_arc_of_edge[m_graph.opposite(e)] = a;
-    find_layers(kept_regions, find_inner_vertices());
+    const std::set<std::size_t> kept_facets = find_inner_vertices();
+    find_layers(kept_regions, kept_facets);
     while(keep_more())
       ;
     remove();
@@ -85,7 +87,8 @@ private:
     return { m_mesh.facet_cells[f], opposite_sides[side_of_facet(m_mesh, f)] };
   }
 
-  // Finds the vertex under each vertex of the boundary. Returns quadrangles with a vertex that has several.
+  // Finds the vertex under each vertex of the boundary. Returns quadrangles that have another vertex under one than the quadrangle
+  // before them.
   std::set<std::size_t> find_inner_vertices()
   {
     std::set<std::size_t> result;

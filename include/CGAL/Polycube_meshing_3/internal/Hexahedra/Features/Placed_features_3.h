@@ -114,14 +114,14 @@ private:
                         { return patches.count(l) > 0 && patches.count(r) > 0; });
   }
 
-  // Returns the angle of a region between two arcs at a corner.
+  // Returns the angle of a region at a corner, in radians, counterclockwise from the second arc to the first one.
   double angle(const std::size_t corner, const std::size_t first, const std::size_t second, const std::size_t region) const
   {
     const Vector_3& p = m_complex.points()[m_complex.corners()[corner].vertex];
     const auto direction = [&](const std::size_t arc)
     {
       const Polyline_3& line = m_complex.line(arc);
-      const double length = (std::min)(0.3 * m_edge, 0.2 * line.length());
+      const double length = (std::min)(0.3 * m_edge, 0.2 * line.length()); // guesses
       const bool is_first = m_complex.corner({ arc, 0 }) == corner;
       return (line.point(is_first ? length : line.length() - length) - p).stableNormalized();
     };
@@ -313,7 +313,8 @@ private:
     return result;
   }
 
-  // Makes the lengths between two others increase with a least distance: an isotonic regression.
+  // Makes the lengths between two others increase with a least distance: blends them with equal distances, takes k least distances
+  // from the k-th one, and makes them increase by pooling adjacent violators (isotonic regression).
   static void spread(const std::size_t first, const std::size_t last, std::vector<double>& lengths)
   {
     constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean

@@ -66,25 +66,25 @@ public:
   const std::vector<std::size_t>& order() const { return m_order; } // of vertices
   const std::vector<Corner>& corners() const { return m_corners; }
 
-  // Sets the goal for edges: their own lengths at each corner, so that angles alone count, as they do for scaled Jacobians; or the
-  // mean lengths of the edges of a hexahedron along each axis. Short ones have a bound.
+  // Sets the mean edge and the goals for edges, at least a part of it: own lengths at each corner if `are_own`, so that angles
+  // alone count, as they do for scaled Jacobians; otherwise the mean lengths of each hexahedron along its axes.
   void set_edges(const std::vector<Vector_3>& points, const bool are_own, Corner_goals_3& goals) const
   {
     const double shortest = are_own ? 0.05 : 0.5; // guesses; relative to the mean edge
-    std::vector<Vector_3> edges(m_corners.size() / 8, Vector_3::Zero());
+    std::vector<Vector_3> mean_lengths(m_corners.size() / 8, Vector_3::Zero()); // of hexahedra
     const auto own_length = [&](const std::size_t corner, const int i)
     { return edge_matrix(points, m_corners[corner]).col(i).norm(); };
     const auto mean_length = [&](const std::size_t corner, const int i) -> double&
     {
       const std::array<std::size_t, 4>& vertices = corners_of_hexahedron[m_numbered.user_number(corner) % 8];
-      return edges[m_numbered.user_number(corner) / 8][axis_of_edge(vertices[0], vertices[i + 1])];
+      return mean_lengths[m_numbered.user_number(corner) / 8][axis_of_edge(vertices[0], vertices[i + 1])];
     };
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       for(int i = 0; i < 3; ++i)
         mean_length(c, i) += own_length(c, i) / 8;
     goals.mean_edge = 0;
-    for(const Vector_3& lengths : edges)
-      goals.mean_edge += (lengths[0] + lengths[1] + lengths[2]) / 3 / static_cast<double>(edges.size());
+    for(const Vector_3& lengths : mean_lengths)
+      goals.mean_edge += (lengths[0] + lengths[1] + lengths[2]) / 3 / static_cast<double>(mean_lengths.size());
     goals.edges.resize(m_corners.size());
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       for(int i = 0; i < 3; ++i)

@@ -24,7 +24,7 @@ sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrang
 {
   Disjoint_sets sets(2 * quadrangles.size()); // of sides
   std::map<std::pair<std::size_t, int>, std::size_t> side_at;      // by vertex and subdomain
-  std::map<std::array<std::size_t, 2>, std::size_t> side_of_cell; // by hexahedron and patch
+  std::set<std::array<std::size_t, 2> > cells_and_patches;         // met so far
   std::vector<std::size_t> sides_with_layer;
   for(std::size_t i = 0; i < 2 * quadrangles.size(); ++i)
   {
@@ -32,7 +32,7 @@ sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrang
     const Quadrangle_of_hexahedron& side = q.sides[i % 2];
     for(const std::size_t v : q.vertices)
       sets.unite(i, side_at.emplace(std::make_pair(v, mesh.cell_references[side.cell]), i).first->second);
-    if(!side_of_cell.emplace(std::array<std::size_t, 2>{ side.cell, q.patch }, i).second)
+    if(!cells_and_patches.insert({ side.cell, q.patch }).second)
       sides_with_layer.push_back(i);
   }
   std::set<std::size_t> sets_with_layer;
@@ -115,7 +115,7 @@ inline void move_to_images_of_positions(const Body_with_domain_3& body, const st
     for(const std::size_t v : facet)
       is_held[v][axis_of_facet(domain.points, facet)] = true;
   for(std::size_t v = 0; v < domain.points.size(); ++v)
-    if(positions[v].surface != &body.surface)
+    if(positions[v].surface != &body.surface) // on an interface: those inside refer to the boundary, too
       if(const auto image = body.map.nearest_image(exact_point(positions[v].point)))
         for(int axis = 0; axis < 3; ++axis)
           if(!is_held[v][axis])

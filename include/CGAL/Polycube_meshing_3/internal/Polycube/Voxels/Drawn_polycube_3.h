@@ -120,7 +120,7 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
                                         const Budget& budget)
 {
   std::vector<Vector_3> points;
-  Nearest_with_normal_3 nearest(0);
+  Nearest_with_normal_3 nearest(0); // by distance alone: normals have no weight
   for(const Polycube_chain_3& chain : polycube.charts.chains())
     for(const auto v : polycube.charts.vertices(chain))
     {

@@ -237,8 +237,8 @@ private:
     return true;
   }
 
-  // Returns the vertices of a path around those in use, which is longer where it is off the chain of the faces; none if there is
-  // none.
+  // Returns the vertices of the shortest path that avoids vertices in use; none if they block it. Edges have a weight that grows
+  // with their distance from the chain on the faces of voxels.
   std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to, const Polyline_3& chain) const
   {
     constexpr double weight = 20; // a guess
