@@ -319,6 +319,35 @@ TEST_CASE("Vertices of the boundary stay on it where an interface between hexahe
   }
 }
 
+TEST_CASE("Vertices where an interface crosses edges of the body do not move to corners far away")
+{
+  const Body body = box_of_subdomains(4, same, [](const Vector3d& p) { return p[0] < 2 ? 1 : 2; });
+  const PM::internal::Mapped_soup_3 soup(body.soup, body.images);
+  const PM::internal::Body_surface_3 surface(soup);
+  PM::internal::Body_interfaces_3 interfaces(soup, surface);
+  Hexahedron_soup_3 hexahedra;
+  REQUIRE(PM::make_hexahedral_mesh_3(body.soup, body.images, 1, hexahedra).status == VMP::OK);
+  Hexahedra_3 mesh;
+  for(const auto& p : hexahedra.points)
+    mesh.points.push_back(vector(p));
+  mesh.cells = hexahedra.cells;
+  mesh.cell_references = hexahedra.cell_references;
+  mesh.facets = hexahedra.facets;
+  mesh.facet_cells = hexahedra.facet_cells;
+  const auto vertex_at = [&](const VMP::internal::Vector_3& p) -> VMP::internal::Vector_3&
+  {
+    return *std::min_element(mesh.points.begin(), mesh.points.end(), [&](const auto& q, const auto& r)
+                             { return (q - p).norm() < (r - p).norm(); });
+  };
+  VMP::internal::Vector_3& second = vertex_at({ 2, 1, 0 }); // on the edge of another vertex, while the corner opposite has none
+  vertex_at({ 2, 4, 4 })[1] = 3.3;
+  second = { 2.2, 0, 0 };
+  std::vector<PM::internal::Interface_quadrangle_3> quadrangles = PM::internal::interface_quadrangles_3(mesh);
+  PM::internal::set_patches(mesh, interfaces, quadrangles);
+  const auto positions = PM::internal::Search_for_positions_3(mesh, quadrangles, interfaces).run();
+  CHECK((positions[&second - mesh.points.data()].point - second).norm() < 1);
+}
+
 TEST_CASE("Vertices where an interface ends in a wedge on the boundary slide along its edge")
 {
   // The edge y = 2, z = 4 of the wedge 2 y - 4 < z - 4 < y - 2 is on the boundary, and both of its sides are interfaces.

@@ -113,6 +113,8 @@ public:
 private:
   using Corner = std::pair<Patches_3, std::size_t>; // number of a corner where these patches meet
 
+  static constexpr double largest_move = 1.5; // a guess; on the boundary, relative to the width of a quadrangle
+
   bool is_on_boundary(const std::size_t v) const { return m_patches[v].count(0) > 0; }
   bool is_on_interface(const std::size_t v) const { return m_patches[v].size() > is_on_boundary(v); }
 
@@ -120,7 +122,6 @@ private:
   // interfaces that do not end near it: a line of the same patches elsewhere would take the vertex away.
   Position_3 position(const std::size_t v)
   {
-    constexpr double largest_move = 1.5; // a guess; on the boundary, relative to the width of a quadrangle
     const Vector_3& p = m_mesh.points[v];
     if(is_on_interface(v))
     {
@@ -142,7 +143,7 @@ private:
   }
 
   // Returns the squared distances of vertices from the corners where their patches meet. Vertices on a line get one only where
-  // the line crosses another one, on the boundary.
+  // the line crosses another one, on the boundary, and those on the boundary only one that is near.
   std::vector<std::tuple<double, std::size_t, Corner> > corners_of(const std::vector<Position_3>& positions)
   {
     std::vector<std::tuple<double, std::size_t, Corner> > result;
@@ -154,7 +155,9 @@ private:
       const bool crosses_line = is_on_boundary(v) && m_interfaces.boundary().freedom(m_mesh.points[v]) != Freedom_3::SURFACE;
       if(crosses_line || !m_interfaces.has_line(patches))
         for(std::size_t c = 0; c < m_interfaces.corners(patches).size(); ++c)
-          result.emplace_back((m_mesh.points[v] - m_interfaces.corners(patches)[c]).squaredNorm(), v, Corner(patches, c));
+          if(const double squared_distance = (m_mesh.points[v] - m_interfaces.corners(patches)[c]).squaredNorm();
+             !is_on_boundary(v) || squared_distance <= std::pow(largest_move * m_widths[v], 2))
+            result.emplace_back(squared_distance, v, Corner(patches, c));
     }
     return result;
   }
