@@ -113,7 +113,8 @@ public:
 private:
   using Corner = std::pair<Patches_3, std::size_t>; // number of a corner where these patches meet
 
-  static constexpr double largest_move = 1.5; // a guess; on the boundary, relative to the width of a quadrangle
+  // Longest ways on the boundary to a line and to a corner, relative to the width of a quadrangle: guesses.
+  static constexpr double largest_move = 1.5, largest_move_to_corner = 4;
 
   bool is_on_boundary(const std::size_t v) const { return m_patches[v].count(0) > 0; }
   bool is_on_interface(const std::size_t v) const { return m_patches[v].size() > is_on_boundary(v); }
@@ -156,7 +157,7 @@ private:
       if(crosses_line || !m_interfaces.has_line(patches))
         for(std::size_t c = 0; c < m_interfaces.corners(patches).size(); ++c)
           if(const double squared_distance = (m_mesh.points[v] - m_interfaces.corners(patches)[c]).squaredNorm();
-             !is_on_boundary(v) || squared_distance <= std::pow(largest_move * m_widths[v], 2))
+             !is_on_boundary(v) || squared_distance <= std::pow(largest_move_to_corner * m_widths[v], 2))
             result.emplace_back(squared_distance, v, Corner(patches, c));
     }
     return result;
