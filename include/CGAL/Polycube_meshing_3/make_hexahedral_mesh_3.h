@@ -118,10 +118,11 @@ and the distance of the boundaries count.
 
 <b>Interfaces</b>. Quadrangles between subdomains follow the interfaces, with their borders, sharp edges and corners. Layers of
 hexahedra are inserted if a hexahedron has two quadrangles in a smooth part of an interface. If hexahedra would become nearly
-flat, vertices leave the interface. In the end, each interface moves along its normals so that subdomains keep their volumes. If
-hexahedra or distances of interfaces are poor, staircases are tried, too, as with `do_keep_interfaces(false)`. They are not taken
-if a subdomain loses much more of its volume. The result contains the volumes of the subdomains and the distance of the
-interfaces. If this distance exceeds a tenth of the edges there, the message names the place.
+flat, vertices leave sharp edges and borders. If hexahedra stay inverted, their vertices leave the interface. In the end, each
+interface moves along its normals so that subdomains keep their volumes. If hexahedra or distances of interfaces are poor,
+staircases are tried, too, as with `do_keep_interfaces(false)`. They are not taken if a subdomain loses much more of its volume.
+The result contains the volumes of the subdomains and the distance of the interfaces. If this distance exceeds a tenth of the
+edges there, the message names the place.
 
 <b>Features</b>. The sharp edges of the boundary are cut into curves, which end at corners, and bound patches. If the hexahedra
 lose some of them, the function looks for vertices of the boundary for all corners, and for disjoint paths of edges for all
