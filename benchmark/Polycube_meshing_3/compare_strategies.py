@@ -65,7 +65,8 @@ STRATEGIES = {
                      "is_at_least(best.result, poor_scaled_jacobian) || (!best.mesh.cells.empty() && !is_on()))"),
     "leaving the surface": (HEXAHEDRA, "find_hexahedra_3_impl.h", "is_at_least(best.result, bad_scaled_jacobian)))",
                             "(is_at_least(best.result, bad_scaled_jacobian) || !is_on())))"),
-    "leaving lines": (HEXAHEDRA, "Hexahedra_improvement_3.h", "m_hexahedra.leave_lines(0)", "is_on() && m_hexahedra.leave_lines(0)"),
+    "leaving lines": (HEXAHEDRA, "Hexahedra_improvement_3.h", "m_hexahedra.leave_lines_and_interfaces(0)",
+                      "is_on() && m_hexahedra.leave_lines_and_interfaces(0)"),
     "choice of layers": (HEXAHEDRA, "find_hexahedra_3_impl.h", "  result.layers = Layer_choice_3(result.in_body).layers();\n",
                          "  result.layers = Layer_choice_3(result.in_body).layers();\n  if(!is_on() && !result.layers.empty())\n"
                          "    result.layers = { all_faces_of_domain(result.in_domain) };\n"),

@@ -248,14 +248,14 @@ TEST_CASE("Vertices of a hexahedron that is inverted inside alone leave their li
 {
   Sliding_hexahedra cube(Body(4, 0, same), 4);
   REQUIRE(cube.number(PM::internal::Freedom_3::NONE) == 8);
-  CHECK(!cube.hexahedra.leave_lines(0));
+  CHECK(!cube.hexahedra.leave_lines_and_interfaces(0));
   PM::internal::Placed_hexahedra_3 placed = cube.placed;
   for(Coordinates_3& p : placed.mesh.points)
     if(p[2] == 4) // a half turn
       p = { 4 - p[0], 4 - p[1], 4 };
   REQUIRE(PM::internal::evaluated_hexahedra(placed.mesh, false).number_of_inverted_corners == 0);
   PM::internal::Sliding_hexahedra_3 twisted(placed, cube.linear_solver, false, cube.budget);
-  CHECK(twisted.leave_lines(0));
+  CHECK(twisted.leave_lines_and_interfaces(0));
 }
 
 TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")

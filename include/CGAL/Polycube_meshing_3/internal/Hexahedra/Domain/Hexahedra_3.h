@@ -79,6 +79,22 @@ std::array<std::size_t, 4> vertices_of(const Hexahedra& mesh, const Quadrangle_o
   return result;
 }
 
+inline void add_cell(const std::array<std::size_t, 8>& vertices, const std::size_t block, const std::array<std::size_t, 3>& index,
+                     const int reference, Hexahedra_3& mesh)
+{
+  mesh.cells.push_back(vertices);
+  mesh.cell_blocks.push_back(block);
+  mesh.cell_indices.push_back(index);
+  mesh.cell_references.push_back(reference);
+}
+
+inline void add_facet(const Quadrangle_of_hexahedron& quadrangle, const std::size_t polycube_face, Hexahedra_3& mesh)
+{
+  mesh.facets.push_back(vertices_of(mesh, quadrangle));
+  mesh.facet_cells.push_back(quadrangle.cell);
+  mesh.polycube_faces.push_back(polycube_face);
+}
+
 // Calls `f(begin, end)` for each quadrangle, in the order of their sorted vertices, with a pair for each of its hexahedra: the
 // sorted vertices, and the quadrangle there.
 template <typename Function>

@@ -217,12 +217,8 @@ private:
     for(std::size_t c = 0; c < m_mesh.cells.size(); ++c)
     {
       numbers_of_cells.push_back(m_result.cells.size());
-      if(is_removed[c])
-        continue;
-      m_result.cells.push_back(m_mesh.cells[c]);
-      m_result.cell_blocks.push_back(m_mesh.cell_blocks[c]);
-      m_result.cell_indices.push_back(m_mesh.cell_indices[c]);
-      m_result.cell_references.push_back(m_mesh.cell_references[c]);
+      if(!is_removed[c])
+        add_cell(m_mesh.cells[c], m_mesh.cell_blocks[c], m_mesh.cell_indices[c], m_mesh.cell_references[c], m_result);
     }
     const std::vector<bool> is_used = used_points(m_result.cells, m_mesh.points.size());
     for(std::size_t v = 0; v < is_used.size(); ++v)
@@ -234,9 +230,14 @@ private:
     for(std::array<std::size_t, 8>& cell : m_result.cells)
       for(std::size_t& v : cell)
         v = m_numbers[v];
+    const auto add = [&](const std::size_t c, const std::size_t side, const std::size_t old)
+    {
+      add_facet({ numbers_of_cells[c], side }, m_mesh.polycube_faces[old], m_result);
+      m_facets.push_back(old);
+    };
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       if(is_kept_facet(f))
-        add_facet({ numbers_of_cells[m_mesh.facet_cells[f]], side_of_facet(m_mesh, f) }, f);
+        add(m_mesh.facet_cells[f], side_of_facet(m_mesh, f), f);
     for_each_quadrangle(m_mesh, [&](const auto begin, const auto end)
     {
       const auto found = old_facets.find(begin->first);
@@ -244,16 +245,8 @@ private:
         return;
       for(auto it = begin; it != end; ++it)
         if(!is_removed[it->second.cell])
-          add_facet({ numbers_of_cells[it->second.cell], it->second.side }, found->second);
+          add(it->second.cell, it->second.side, found->second);
     });
-  }
-
-  void add_facet(const Quadrangle_of_hexahedron& q, const std::size_t old)
-  {
-    m_result.facets.push_back(vertices_of(m_result, q));
-    m_result.facet_cells.push_back(q.cell);
-    m_result.polycube_faces.push_back(m_mesh.polycube_faces[old]);
-    m_facets.push_back(old);
   }
 
   const Body_complex_3& m_complex;

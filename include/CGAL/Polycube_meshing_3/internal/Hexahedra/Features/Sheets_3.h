@@ -57,14 +57,8 @@ public:
   // Returns the hexahedra with sheets cut in two.
   Hexahedra_3 cut(const std::set<std::size_t>& sheets) const
   {
-    Hexahedra_3 result = m_mesh;
-    result.cells.clear();
-    result.cell_blocks.clear();
-    result.cell_indices.clear();
-    result.cell_references.clear();
-    result.facets.clear();
-    result.facet_cells.clear();
-    result.polycube_faces.clear();
+    Hexahedra_3 result;
+    result.points = m_mesh.points;
     std::vector<std::vector<std::size_t> > facets(m_mesh.cells.size());
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       facets[m_mesh.facet_cells[f]].push_back(f);
@@ -78,21 +72,16 @@ public:
       {
         const std::array<std::size_t, 3> at
           = { part % numbers[0], part / numbers[0] % numbers[1], part / (numbers[0] * numbers[1]) };
-        result.cells.emplace_back();
+        std::array<std::size_t, 8> cell;
         for(std::size_t k = 0; k < 8; ++k)
-          result.cells.back()[k] = vertex(c, k, numbers, at, middles, result);
-        result.cell_blocks.push_back(m_mesh.cell_blocks[c]);
-        result.cell_references.push_back(m_mesh.cell_references[c]);
+          cell[k] = vertex(c, k, numbers, at, middles, result);
         const auto& [i, j, k] = m_mesh.cell_indices[c];
-        result.cell_indices.push_back({ 2 * i + at[0], 2 * j + at[1], 2 * k + at[2] });
+        add_cell(cell, m_mesh.cell_blocks[c], { 2 * i + at[0], 2 * j + at[1], 2 * k + at[2] }, m_mesh.cell_references[c], result);
         for(const std::size_t f : facets[c])
         {
           const std::size_t side = side_of_facet(m_mesh, f), axis = axis_across(side);
-          if(at[axis] != (is_upper(quadrangles_of_hexahedron[side][0], axis) ? numbers[axis] - 1 : 0))
-            continue;
-          result.facet_cells.push_back(result.cells.size() - 1);
-          result.facets.push_back(vertices_of(result, { result.cells.size() - 1, side }));
-          result.polycube_faces.push_back(m_mesh.polycube_faces[f]);
+          if(at[axis] == (is_upper(quadrangles_of_hexahedron[side][0], axis) ? numbers[axis] - 1 : 0))
+            add_facet({ result.cells.size() - 1, side }, m_mesh.polycube_faces[f], result);
         }
       }
     }

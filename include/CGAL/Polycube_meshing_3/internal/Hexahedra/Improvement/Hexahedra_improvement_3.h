@@ -109,7 +109,7 @@ private:
     for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < (has_few_inverted_corners() ? patience : patience - 1)
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "corners"); ++round)
     {
-      if(in_vain == patience - 1 && m_bound_of_lines && m_hexahedra.leave_lines(0))
+      if(in_vain == patience - 1 && m_bound_of_lines && m_hexahedra.leave_lines_and_interfaces(0))
         in_vain = 0;
       const Hexahedral_mesh_result before = m_result;
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
@@ -164,7 +164,7 @@ private:
       if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian < poor_scaled_jacobian)
       {
         if(m_bound_of_lines)
-          m_hexahedra.leave_lines(*m_bound_of_lines);
+          m_hexahedra.leave_lines_and_interfaces(*m_bound_of_lines);
         price_of_uncovered = (std::max)(smallest_price, price_of_uncovered / 10);
       }
     }

@@ -155,7 +155,7 @@ public:
   // Lets vertices of corners that are inverted, or whose scaled Jacobian is below a bound, and those of hexahedra that are
   // inverted inside alone, leave the lines, on which they perhaps cannot become better. Inverted ones leave interfaces then.
   // Returns whether any vertex left a line or an interface.
-  bool leave_lines(const double bound)
+  bool leave_lines_and_interfaces(const double bound)
   {
     bool has_left = false;
     const auto leave = [&](const std::size_t v, const bool may_leave_interface)

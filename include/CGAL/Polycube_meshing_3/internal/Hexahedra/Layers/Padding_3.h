@@ -133,10 +133,9 @@ private:
       const auto& [u, v] = axes_of_quadrangle[q.side];
       const std::array<std::size_t, 3>& index = m_domain.cell_indices[q.cell];
       const std::array<std::size_t, 3> key = { m_domain.cell_blocks[q.cell], q.side, index[3 - u - v] };
-      m_result.cells.push_back({ copy(a), copy(b), copy(c), copy(d), a, b, c, d });
-      m_result.cell_blocks.push_back(blocks.emplace(key, last_block + 1 + blocks.size()).first->second);
-      m_result.cell_indices.push_back({ index[u], index[v], 0 });
-      m_result.cell_references.push_back(m_domain.cell_references[q.cell]);
+      add_cell({ copy(a), copy(b), copy(c), copy(d), a, b, c, d },
+               blocks.emplace(key, last_block + 1 + blocks.size()).first->second, { index[u], index[v], 0 },
+               m_domain.cell_references[q.cell], m_result);
     }
   }
 
@@ -154,11 +153,7 @@ private:
         sides[edge(vertices_of(m_domain, m_covered[k]), i, m_covered[k].cell)].push_back({ m_domain.cells.size() + k, 2 + i });
     for(const auto& [edge, at_edge] : sides)
       if(at_edge.size() == 1)
-      {
-        m_result.facets.push_back(vertices_of(m_result, at_edge[0]));
-        m_result.facet_cells.push_back(at_edge[0].cell);
-        m_result.polycube_faces.push_back(faces.at(edge));
-      }
+        add_facet(at_edge[0], faces.at(edge), m_result);
   }
 
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
