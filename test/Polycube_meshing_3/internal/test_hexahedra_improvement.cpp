@@ -128,6 +128,26 @@ TEST_CASE("Vertices move one after the other on a curved boundary until corners 
       CHECK(distance(VMP::internal::coordinates(sliding.hexahedra.mesh().points[v]), facets) < 1e-13);
 }
 
+TEST_CASE("Tangled vertices on a sphere are untangled at once, although steps along tangents leave it")
+{
+  const Body ball(8, 0, rounded);
+  Hexahedra_3 mesh = Sliding_hexahedra::boxes(ball, 1);
+  const std::vector<bool> is_outer = PM::internal::is_on_boundary(mesh);
+  std::mt19937 engine;
+  std::uniform_real_distribution<double> noise(-1, 1);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(int axis = 0; axis < 3 && is_outer[v]; ++axis)
+      mesh.points[v][axis] += noise(engine);
+  Sliding_hexahedra sliding(ball, mesh);
+  REQUIRE(PM::internal::evaluated_hexahedra(sliding.start, false).number_of_inverted_corners > 100);
+  sliding.hexahedra.improve(1, true, Corners_to_improve::ALL);
+  CHECK(PM::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).number_of_inverted_corners == 0);
+  const std::vector<K::Triangle_3> facets = ball.boundary_facets();
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    if(is_outer[v])
+      CHECK(distance(VMP::internal::coordinates(sliding.hexahedra.mesh().points[v]), facets) < 1e-13);
+}
+
 TEST_CASE("Vertices are held by sharp edges of the body, and leave edges of the domain where the body is smooth")
 {
   using PM::internal::Freedom_3;

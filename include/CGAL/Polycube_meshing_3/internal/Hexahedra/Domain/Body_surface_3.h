@@ -88,6 +88,18 @@ public:
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
+  // Returns the point of the surface nearest to p, with the normal there, or of the lines, with their direction.
+  Surface_point_3 nearest_point(const Vector_3& p, const Freedom_3 freedom) const
+  {
+    if(freedom == Freedom_3::LINE)
+    {
+      const auto [point, segment] = m_lines.closest_point_and_primitive(exact_point(p));
+      return { coordinates(to_vector(point)), coordinates(to_vector(segment->to_vector())) };
+    }
+    const auto [point, triangle] = m_surface.closest_point_and_primitive(exact_point(p));
+    return { coordinates(to_vector(point)), coordinates(normal(*triangle)) };
+  }
+
   // Returns a point with the very coordinate of each plane normal to an axis that holds a facet and, up to rounding, the point.
   Vector_3 without_rounding(Vector_3 p) const
   {
@@ -117,18 +129,11 @@ public:
   // Returns the projector onto the directions in which a vertex may move from a point where it may be.
   Matrix_3 projector(const Vector_3& p, const Freedom_3 freedom) const
   {
-    if(freedom == Freedom_3::SURFACE)
-    {
-      const Vector_3 n = normal(p);
-      return Matrix_3::Identity() - Matrix_3::outer_product(n, n);
-    }
-    if(freedom == Freedom_3::LINE)
-    {
-      const Vector_3 d
-        = to_vector(m_lines.closest_point_and_primitive(exact_point(p)).second->to_vector()).stableNormalized();
-      return Matrix_3::outer_product(d, d);
-    }
-    return freedom == Freedom_3::SPACE ? Matrix_3::Identity() : Matrix_3::Zero();
+    if(freedom == Freedom_3::SPACE || freedom == Freedom_3::NONE)
+      return freedom == Freedom_3::SPACE ? Matrix_3::Identity() : Matrix_3::Zero();
+    const Vector_3 d = to_vector(nearest_point(p, freedom).direction).stableNormalized();
+    const Matrix_3 along = Matrix_3::outer_product(d, d);
+    return freedom == Freedom_3::LINE ? along : Matrix_3::Identity() - along;
   }
 
 private:

@@ -31,7 +31,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 // The aims for the corners of hexahedra, and how they are pursued.
 struct Corner_goals_3
 {
-  std::vector<Matrix_3> projectors; // of each vertex, onto the directions in which it moves
+  Conditions_3 conditions;          // of each vertex
   std::vector<Vector_3> edges;      // of each corner: the lengths of its edges where it has right angles
   double mean_edge = 1;
   std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted, by their numbers
@@ -98,10 +98,11 @@ public:
   {
     constexpr double theta = 0.5;                           // a guess; how much volumes count beside shapes
     constexpr std::size_t number_of_steps_to_untangle = 30; // a guess
-    std::vector<Matrix_3> projectors;
+    constexpr std::size_t corners_per_few = 10000;          // a guess; few inverted ones are left to steps of single vertices
+    Conditions_3 conditions;
     for(const std::size_t v : m_order)
-      projectors.push_back(goals.projectors[v]);
-    Unknowns_3 unknowns(projectors);
+      conditions.push_back(goals.conditions[v]);
+    Unknowns_3 unknowns(conditions);
     if(unknowns.size() == 0 || budget.is_exhausted())
       return points;
     m_numbered.target = m_numbered.source;
@@ -111,9 +112,10 @@ public:
     const Quadratic_penalty_3 penalty = penalty_of(goals, unknowns, boxes.scale);
     Newton_system_3 system(m_numbered, std::move(boxes), std::move(unknowns), solver, &penalty);
     Progress_3 untangling(budget, number_of_steps_to_untangle), progress(budget, goals.number_of_steps);
+    system.step_along_tangents();
     Matrix3Xd positions = m_numbered.target;
     if(inverted_cells(m_numbered, positions).number > 0)
-      positions = minimize_untangling_energy_3(system, positions, theta, untangling).positions;
+      positions = minimize_untangling_energy_3(system, positions, theta, untangling, m_corners.size() / corners_per_few).positions;
     if(inverted_cells(m_numbered, positions).number == 0)
     {
       const Untangling_energy_3 energy(0, theta); // its barrier: all corners are positive now

@@ -99,9 +99,8 @@ public:
     Corner_goals_3 goals = { {}, {}, 1, {}, pull, exponent_for(which), number_of_steps };
     for(std::size_t v = 0; v < m_positions.size(); ++v)
     {
-      const Position_3& position = m_positions[v];
-      const bool stays = !do_slide && position.freedom != Freedom_3::SPACE;
-      goals.projectors.push_back(position.surface->projector(m_mesh.points[v], stays ? Freedom_3::NONE : position.freedom));
+      const bool stays = !do_slide && m_positions[v].freedom != Freedom_3::SPACE;
+      goals.conditions.push_back(stays ? Vertex_condition_3::at_target() : m_positions[v].condition());
     }
     m_corners.set_edges(m_mesh.points, are_for_angles, goals);
     const bool is_valid = are_positive(m_mesh.points);
@@ -130,8 +129,7 @@ public:
     for(double weight = first_weight;
         weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
     {
-      Corner_goals_3 goals = { std::vector<Matrix_3>(m_positions.size(), Matrix_3::Identity()), {}, 1, {}, pull, 1,
-                               number_of_steps };
+      Corner_goals_3 goals = { Conditions_3(m_positions.size()), {}, 1, {}, pull, 1, number_of_steps };
       m_corners.set_edges(m_mesh.points, false, goals);
       hold_boundary(m_first_points, 1, goals);
       for(const Covered_surface_3& covered : m_covered)

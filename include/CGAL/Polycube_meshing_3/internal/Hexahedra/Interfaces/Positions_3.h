@@ -50,6 +50,16 @@ struct Position_3
 
   // Returns the point nearest to p among those where the vertex may be.
   Vector_3 nearest(const Vector_3& p) const { return surface->nearest(p, freedom); }
+
+  // Returns the same for a vertex on a surface or a line, as a model of SlidingSurface_3.
+  Surface_point_3 nearest_point(const std::array<double, 3>& p) const { return surface->nearest_point(to_vector(p), freedom); }
+
+  Vertex_condition_3 condition() const
+  {
+    return freedom == Freedom_3::SPACE ? Vertex_condition_3::free()
+         : freedom == Freedom_3::SURFACE ? Vertex_condition_3::on_surface(*this)
+         : freedom == Freedom_3::LINE ? Vertex_condition_3::on_curve(*this) : Vertex_condition_3::at_target();
+  }
 };
 
 using Triangle_3 = std::array<std::size_t, 3>; // of a quadrangle of hexahedra

@@ -28,6 +28,8 @@ public:
   {
     const double D = evaluate(Untangling_energy_3(1, m_theta)).smallest_determinant;
     m_epsilon = first_epsilon(D);
+    if(m_system.are_steps_along_tangents())
+      m_system.move_from(u);
     m_iterate.evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
     m_fewest_inverted_cells = m_halved_inverted_cells = m_iterate.evaluation.number_of_inverted_cells;
   }
@@ -42,8 +44,13 @@ public:
     if(!m_iterate.move(m_system.direction(energy, m_iterate.u, 0., m_solver_tolerance, budget), [&]
        { return line_search_3(m_system, energy, m_iterate, 1., false); }))
       return;
-    keep_best();
     Energy_evaluation& evaluation = m_iterate.evaluation;
+    if(m_system.are_steps_along_tangents())
+    {
+      m_iterate.u = m_system.move_from(std::move(m_iterate.u));
+      evaluation = evaluate(Untangling_energy_3(m_epsilon, m_theta));
+    }
+    keep_best();
     if(evaluation.is_flip_free())
       return;
     m_epsilon = next_epsilon(m_epsilon, 1 - evaluation.energy / before.energy, before.smallest_determinant,

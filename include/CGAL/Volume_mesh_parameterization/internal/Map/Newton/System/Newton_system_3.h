@@ -71,13 +71,25 @@ public:
   std::pair<Positions, Positions> moved(const Positions& u, const double length, const Positions& d) const
   {
     Positions result = u + length * d;
+    if(m_are_steps_along_tangents)
+      return { std::move(result), m_unknowns.normals() };
     Positions normals = m_unknowns.put_on_surfaces(result, m_scale, m_mesh.is_parallel);
     return { std::move(result), std::move(normals) };
   }
 
-  // Lets vertices on surfaces move in the tangent planes at these positions from now on.
-  void move_from(Positions u) { set_normals(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel)); }
+  // Puts vertices back on their surfaces, and lets them move in the tangent planes there from now on. Returns the positions.
+  Positions move_from(Positions u)
+  {
+    set_normals(m_unknowns.put_on_surfaces(u, m_scale, m_mesh.is_parallel));
+    return u;
+  }
+
   void set_normals(Positions normals) { m_unknowns.set_normals(std::move(normals)); }
+
+  // Lets steps leave surfaces along tangents, until positions are put back. In line searches that put them back, vertices at borders
+  // and folds of surfaces hold up all others.
+  void step_along_tangents() { m_are_steps_along_tangents = true; }
+  bool are_steps_along_tangents() const { return m_are_steps_along_tangents; }
 
   // Lets no step from these positions on, in the user's units, turn over facets against their surfaces or make them intersect.
   void keep_boundary_embedded(const Matrix3Xd& positions)
@@ -91,7 +103,7 @@ public:
   // fold does, and those of facets that it would spoil. Returns whether there are any.
   bool hold_stuck_vertices(const Cell_energy_3& energy, const Positions& u, const double length, const Positions& d)
   {
-    if(!are_some_on_surfaces(m_unknowns.conditions()))
+    if(m_are_steps_along_tangents || !are_some_on_surfaces(m_unknowns.conditions()))
       return false;
     Positions gradient = Positions::Zero(3, m_unknowns.size());
     add_energy_gradient(m_packs, energy, u, gradient);
@@ -297,6 +309,7 @@ private:
   std::shared_ptr<const Embedded_boundary_3> m_boundary; // none if no boundary slides on surfaces
   const Quadratic_penalty_3* m_penalty;
   double m_scale;
+  bool m_are_steps_along_tangents = false;
   Reference_cells m_references = Reference_cells::SOURCE;
   Sparsity_pattern_3 m_pattern; // which the linear system takes over
   Cell_packs_3 m_packs;

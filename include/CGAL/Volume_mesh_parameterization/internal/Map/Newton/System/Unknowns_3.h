@@ -116,6 +116,8 @@ public:
   std::pair<Vector_3, Vector_3> put_on_surface(const int v, const Vector_3& p) const
   { return put_on_surface_3(m_conditions[row(v)], p); }
 
+  const Matrix3Xd& normals() const { return m_normals; }
+
   // Lets vertices on surfaces move in tangent planes, and those on curves along tangents.
   void set_normals(Matrix3Xd normals)
   {
