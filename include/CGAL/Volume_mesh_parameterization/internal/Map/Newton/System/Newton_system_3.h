@@ -67,7 +67,8 @@ public:
     m_references = references;
   }
 
-  // Returns positions after a step, with vertices put back on their surfaces, and their unit normals there.
+  // Returns positions after a step, and unit normals of surfaces. Unless steps are along tangents, vertices are put back on their
+  // surfaces, and normals are those there.
   std::pair<Positions, Positions> moved(const Positions& u, const double length, const Positions& d) const
   {
     Positions result = u + length * d;
@@ -86,7 +87,7 @@ public:
 
   void set_normals(Positions normals) { m_unknowns.set_normals(std::move(normals)); }
 
-  // Lets steps leave surfaces along tangents, until positions are put back. In line searches that put them back, vertices at borders
+  // Lets steps leave surfaces along tangents, until positions are put back. If line searches put them back, vertices at borders
   // and folds of surfaces hold up all others.
   void step_along_tangents() { m_are_steps_along_tangents = true; }
   bool are_steps_along_tangents() const { return m_are_steps_along_tangents; }
