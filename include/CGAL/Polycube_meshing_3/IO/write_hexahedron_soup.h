@@ -134,8 +134,8 @@ inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahed
   return result;
 }
 
-// Joins the sets of equally named groups of a dimension. The names are by dimension and reference, and the sets to join have names
-// of the prefix and a reference. A group replaces a set whose name is the same but for capitals.
+// Adds for each name of groups of a dimension the union of their sets. The names are by dimension and reference, and the sets of
+// groups have names of the prefix and a reference. A union replaces a set whose name is the same but for capitals.
 template <typename Item>
 void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
                 std::map<std::string, std::vector<Item> >& sets)

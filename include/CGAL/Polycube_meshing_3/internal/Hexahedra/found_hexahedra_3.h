@@ -181,7 +181,8 @@ inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedra
                             describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
 }
 
-// Makes the soup of a valid mesh, and evaluates it.
+// Makes the soup of a valid mesh, with new images. Completes its result, which has the scaled Jacobians already, by features,
+// patches, volumes and distances. Its status and message tell which do not suffice.
 inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
                      Best_hexahedra_3 best, Found_hexahedra_3& found)
 {

@@ -94,11 +94,11 @@ public:
   }
 
 private:
-  // Image of a vertex of an edge of the polycube, by axis: in two planes, or between them.
+  // Image of a vertex of an edge of the polycube, by axis: between two planes, or, across the edge, in one that is both of them.
   struct Edge_position
   {
-    std::array<std::size_t, 3> first, second; // planes
-    std::array<double, 3> part;       // of the second one
+    std::array<std::size_t, 3> first, second;  // planes
+    std::array<double, 3> part;                // of the way from the first plane to the second one
   };
   using Edge_positions = std::map<int, Edge_position>; // by vertex
 
@@ -114,7 +114,7 @@ private:
       for(std::size_t i = 0; i < path.size(); ++i)
       {
         position.part[chain.axis] = length[i] / length.back();
-        result.emplace(path[i], position);
+        result.emplace(path[i], position); // a corner has the same image in each of its chains
       }
     }
     return result;

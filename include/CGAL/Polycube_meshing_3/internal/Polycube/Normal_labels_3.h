@@ -193,10 +193,11 @@ private:
     return std::find(is_best.begin(), is_best.end(), true) != is_best.end();
   }
 
-  // Returns by number of rings whether the region around a face keeps its labels as long as none nearby changes.
+  // Tells, by number of rings and by face, whether the region around the face keeps its labels as long as none nearby changes.
   using Settled_faces = std::array<std::vector<bool>, 3>;
 
-  // Gives the faces within some rings around a face one label, where the sum falls thereby. Returns whether any label changed.
+  // Gives the faces within some rings around each face on a border of charts one label, where the sum falls thereby. Returns
+  // whether any label changed.
   bool relabel_regions(const int rings, const double smoothing, Settled_faces& is_settled, Labels& labels) const
   {
     bool has_changed = false;

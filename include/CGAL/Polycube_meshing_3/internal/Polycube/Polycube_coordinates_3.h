@@ -128,6 +128,7 @@ private:
     }
   };
 
+  // Finds the coordinates along an axis by its quadratic program for the orders so far. Returns whether there are any.
   bool solve(const int axis, const std::vector<double>& wanted)
   {
     std::vector<std::size_t> planes, variables(m_planes.size());

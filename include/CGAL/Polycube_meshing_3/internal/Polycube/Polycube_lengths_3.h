@@ -44,7 +44,8 @@ public:
       m_weights[p] = weight_of_position * planes.areas()[p];
   }
 
-  // Returns the coordinates of the planes, from those of charts to start with, in planes of a grid if there is one.
+  // Returns the coordinates of the planes of the best polycube. Takes those of the charts to start with, and a grid: if it has a
+  // spacing, the result is rounded to its planes.
   std::vector<double> run(const std::vector<double>& coordinates, const Plane_grid_3& grid, const Budget& budget) const
   {
     constexpr double rounding = 1e-12; // far below the energy of any polycube that is not the body itself
@@ -135,6 +136,7 @@ private:
     return result;
   }
 
+  // Adds the squares of a triangle, whose U and V are those at x, while J depends on the coordinates that are looked for.
   static void add_squares(const Harmonic_chart_2& chart, const Chart_triangles_2::Triangle& t, const VectorXd& x,
                           Sum_of_squares& sum)
   {
@@ -146,7 +148,7 @@ private:
     U.col(0) << U(1, 1), -U(0, 1);
     if(V.determinant() < 0)
       U.col(0) *= -1;
-    const auto weight = [](const double s) { return std::abs(s - 1) < 1e-3 ? 1 : std::log(s) / (s * (s - 1)); };
+    const auto weight = [](const double s) { return std::abs(s - 1) < 1e-3 ? 1 : std::log(s) / (s * (s - 1)); }; // limit: 1
     const Small_matrix<2, 1> weights(weight(bounded(images.col(0).norm())), weight(bounded(images.col(1).norm())));
     const Dynamic_matrix<double, Eigen::Dynamic, 2> turned = gradients * V;
     const std::vector<Harmonic_chart_2::Function>& functions = chart.functions;

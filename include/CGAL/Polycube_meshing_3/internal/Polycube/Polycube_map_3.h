@@ -168,7 +168,8 @@ private:
     m_flipped_faces.clear();
   }
 
-  // Returns whether each edge is sharp and not at a face that is normal to the face of its chart: a step that is flattened.
+  // Returns whether lines follow each edge: they do if it is sharp and not at a step. Facets of a step are nearly normal to the
+  // face of their chart, or turned away from it, and the map flattens them.
   std::vector<bool> followed_edges() const
   {
     constexpr double least_cosine = 0.1; // a guess

@@ -45,19 +45,22 @@ public:
 private:
   using Labels = Normal_labels_3::Labels;
 
-  // Returns the finished map to the polycube of the least distortion, of labels proposed for the costs and not tried before. Its
-  // status is an error if there is none.
+  // Returns the finished map to a polycube of labels that are proposed for the costs and were not tried before. Of the maps that
+  // can be finished, it is the one with the least distortion before that. Its status is an error if there is none.
   Surface_map_3 proposed(Normal_labels_3 costs)
   {
-    const double factor = std::sqrt(2.); // a guess; from one smoothing, the weight of the lengths of borders, to the next one
+    constexpr double first_smoothing = 0.001, bound_of_smoothing = 0.1; // guesses; weights of the lengths of borders
+    constexpr int number_of_attempts = 10;                              // a guess
+    const double factor = std::sqrt(2.); // a guess; from one smoothing to the next one
     std::multimap<double, Polycube_map_3> maps; // by distortion
-    for(double smoothing = 0.001; smoothing < 0.1 && !m_budget.is_exhausted(); smoothing *= factor)
+    for(double smoothing = first_smoothing; smoothing < bound_of_smoothing && !m_budget.is_exhausted(); smoothing *= factor)
     {
       Labels labels = costs.closest();
       costs.minimize(smoothing, labels);
       if(!m_proposed.insert(labels).second)
         continue;
-      for(int attempt = 0; attempt < 10 && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
+      for(int attempt = 0;
+          attempt < number_of_attempts && m_budget.may_begin_round(Phase::BOUNDARY, "labels of a polycube"); ++attempt)
       {
         if(!repair_labels_3(m_mesh, costs, smoothing, labels, m_budget) || !m_tried.insert(labels).second)
           break;

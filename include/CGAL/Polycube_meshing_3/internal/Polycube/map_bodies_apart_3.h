@@ -32,7 +32,8 @@ struct Separate_body_3
   std::vector<std::size_t> vertices;
 };
 
-// Returns the bodies of a surface, by cells that share points. Their surfaces do not point to their cells yet, as bodies may move.
+// Returns the bodies of a surface, by cells that share points. Their surfaces do not point to their cells yet: copies would
+// point to those of the originals.
 inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
 {
   std::size_t number_of_points = 0;
@@ -49,19 +50,19 @@ inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& 
   std::vector<Separate_body_3> bodies(1 + *std::max_element(numbers.begin(), numbers.begin() + n));
   for(std::size_t c = 0; c < n; ++c)
     bodies[numbers[c]].cells.push_back((*whole.cells)[c]);
-  std::vector<std::size_t> number(whole.vertices.size());
-  for(std::size_t v = 0; v < number.size(); ++v)
+  std::vector<std::size_t> index_in_body(whole.vertices.size());
+  for(std::size_t v = 0; v < index_in_body.size(); ++v)
   {
     Separate_body_3& body = bodies[number_of_body(whole.vertices[v])];
-    number[v] = body.vertices.size();
+    index_in_body[v] = body.vertices.size();
     body.vertices.push_back(v);
     body.surface.points.push_back(whole.points[v]);
     body.surface.vertices.push_back(whole.vertices[v]);
   }
   for(const auto& [a, b, c] : whole.facets)
-    bodies[number_of_body(whole.vertices[a])].surface.facets.push_back({ number[a], number[b], number[c] });
+    bodies[number_of_body(whole.vertices[a])].surface.facets.push_back({ index_in_body[a], index_in_body[b], index_in_body[c] });
   for(const auto& [a, b] : whole.sharp_edges)
-    bodies[number_of_body(whole.vertices[a])].surface.sharp_edges.push_back({ number[a], number[b] });
+    bodies[number_of_body(whole.vertices[a])].surface.sharp_edges.push_back({ index_in_body[a], index_in_body[b] });
   return bodies;
 }
 

@@ -40,7 +40,7 @@ inline void add(const char* strategy, const Turned_surface_3& turned, Surface_ma
     found.status = map.status;
   if(map.status != OK)
     return;
-  const double cost = cost_of_map(map) + part_given_up_3(turned.surface, map); // bounding boxes may flatten pockets
+  const double cost = cost_of_map(map) + part_given_up_3(turned.surface, map); // dear if a bounding box flattens pockets
   const auto is_dearer = [&](const Polycube_candidate_3& candidate) { return candidate.cost > cost; };
   found.candidates.insert(std::find_if(found.candidates.begin(), found.candidates.end(), is_dearer),
                           { strategy, turned.rotation, std::move(map), cost });

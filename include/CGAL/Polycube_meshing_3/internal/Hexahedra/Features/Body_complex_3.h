@@ -52,9 +52,9 @@ struct Corner_3
 class Body_complex_3
 {
 public:
-  // Takes the width in which hexahedra have no room, and the least length of a needle, in widths. If the width is positive, edges
-  // between subdomains are curves, corners of shorter arcs are one, and arcs along a needle share their part within the width:
-  // hexahedra between them would share the angle.
+  // Takes the width in which hexahedra have no room, and the least length, in widths, of a needle: a small angle between two arcs.
+  // If the width is positive, edges between subdomains are curves, too, and arcs shorter than it become corners. Arcs along a
+  // needle share their part within the width, as hexahedra between them would have to share the angle.
   Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0,
                  const double length_of_needles = 8)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
@@ -86,7 +86,7 @@ public:
   const std::vector<Corner_3>& corners() const { return m_corners; }
   const Polyline_3& line(const std::size_t arc) const { return m_lines[arc]; }
   const Body_surface_3& surface(const std::size_t patch) const { return *m_surfaces[patch]; }
-  int subdomain(const std::size_t patch) const { return m_subdomains[patch]; }
+  int subdomain(const std::size_t patch) const { return m_subdomains[patch]; } // the only one if the width is positive
 
   // Returns the corner where an arc ends.
   std::size_t corner(const End_of_arc_3& end) const { return m_corners_of_arcs[end.arc][end.side]; }
@@ -156,7 +156,8 @@ private:
     return found == m_left.end() ? 0 : m_patches[found->second];
   }
 
-  // Makes arcs of sharp edges between different patches.
+  // Makes arcs of sharp edges between different patches, and finds their corners. A seam that meets a curve makes a corner there,
+  // and a curve that has a reference may turn without one.
   void find_arcs(const std::vector<Edge>& edges, const Mapped_soup_3& soup)
   {
     std::map<Edge, int> references;

@@ -57,16 +57,16 @@ public:
     m_graph = Graph(boost::edges_are_sorted, m_edges.begin(), m_edges.end(), mesh.points.size());
   }
 
-  bool is_manifold() const { return m_is_manifold; }
+  bool is_manifold() const { return m_is_manifold; } // otherwise, edges have no opposite ones, and there are no paths
   std::size_t number_of_edges() const { return m_edges.size(); }
-  std::size_t first(const std::size_t v) const { return m_first[v]; }
+  std::size_t first(const std::size_t v) const { return m_first[v]; } // edge; the last one is before first(v + 1)
   std::size_t degree(const std::size_t v) const { return m_first[v + 1] - m_first[v]; }
   std::size_t source(const std::size_t e) const { return m_edges[e].first; }
   std::size_t target(const std::size_t e) const { return m_edges[e].second; }
   std::size_t opposite(const std::size_t e) const { return m_opposite[e]; }
   std::size_t left(const std::size_t e) const { return m_left[e]; } // quadrangle
 
-  // Returns the number of the edge from v to w, or that of all edges if there is none.
+  // Returns the number of the edge from v to w; number_of_edges() if there is none.
   std::size_t edge(const std::size_t v, const std::size_t w) const
   {
     for(std::size_t e = m_first[v]; e < m_first[v + 1]; ++e)

@@ -22,7 +22,7 @@ class Layer_removal_3
 {
 public:
   // Takes the complex of the body, paths for its arcs, hexahedra with a layer along the boundary, and the regions whose layer
-  // stays, with that of their neighbors.
+  // stays. Then the layer of the regions beside them stays, too.
   Layer_removal_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
                   const std::set<std::size_t>& kept_regions)
     : m_complex(complex), m_embedding(embedding), m_graph(embedding.graph()), m_mesh(mesh),
@@ -87,8 +87,8 @@ private:
     return { m_mesh.facet_cells[f], opposite_sides[side_of_facet(m_mesh, f)] };
   }
 
-  // Finds the vertex under each vertex of the boundary. Returns quadrangles that have another vertex under one than the quadrangle
-  // before them.
+  // Finds the vertex under each vertex of the boundary, across the layer. Returns quadrangles for which it is not the same as for
+  // an earlier quadrangle: their layer cannot go.
   std::set<std::size_t> find_inner_vertices()
   {
     std::set<std::size_t> result;

@@ -313,8 +313,8 @@ private:
     return result;
   }
 
-  // Makes the lengths between two others increase with a least distance: blends them with equal distances, takes k least distances
-  // from the k-th one, and makes them increase by pooling adjacent violators (isotonic regression).
+  // Makes the lengths between two others increase by a least distance each. Blends them with equal distances, and lowers the k-th
+  // one by k least distances. Then pools adjacent violators (isotonic regression), and adds the least distances again.
   static void spread(const std::size_t first, const std::size_t last, std::vector<double>& lengths)
   {
     constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean

@@ -165,7 +165,7 @@ inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const 
 struct Embedded_features_3
 {
   Hexahedra_3 mesh;
-  Feature_embedding_3 embedding; // refers to the mesh
+  Feature_embedding_3 embedding; // refers to the mesh and the complex; has paths as soon as it has been run
 
   Embedded_features_3(const Body_complex_3& complex, Hexahedra_3 hexahedra, const double edge)
     : mesh(std::move(hexahedra)), embedding(complex, mesh, edge)
@@ -177,8 +177,8 @@ struct Embedded_features_3
   { return sheets.sheet({ embedding.graph().source(e), embedding.graph().target(e) }); }
 };
 
-// Returns the sheets across paths that have fewer edges than their curves have bends, those across the longest edges first, as
-// long as the hexahedra that they add are few.
+// Returns sheets across paths that have too few edges for the bends of their arcs, those across the longest edges of a path first.
+// The sheets add `most` hexahedra at most.
 inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, const Embedded_features_3& features,
                                                 const Sheets_3& sheets, const double edge, std::size_t most)
 {
@@ -317,6 +317,7 @@ struct Complex_with_paths_3
   std::unique_ptr<Body_complex_3> complex;
   std::unique_ptr<Embedded_features_3> features;
 
+  // Returns the number of arcs given up; the largest number there is if there are no paths.
   std::ptrdiff_t number_given_up() const
   { return features ? features->embedding.number_given_up() : (std::numeric_limits<std::ptrdiff_t>::max)(); }
 };

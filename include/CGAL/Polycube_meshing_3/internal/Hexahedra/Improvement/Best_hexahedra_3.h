@@ -143,8 +143,9 @@ inline double volume_error(const Hexahedral_mesh_result& result)
   return largest;
 }
 
-// Returns whether staircases replace hexahedra that were fitted to interfaces: if neither the worst hexahedra nor
-// the interfaces get worse, or if the fitted ones are bad, and staircases are better. Volumes of valid fitted ones are kept.
+// Returns whether staircases replace hexahedra that were fitted to interfaces. They do if neither the worst hexahedra nor the
+// interfaces get worse, or if the fitted ones are bad and staircases are better. Volumes of subdomains may not be worse, beyond a
+// tolerance, than those of valid fitted ones.
 inline bool is_better_as_staircases(const Hexahedral_mesh_result& staircases, const Best_hexahedra_3& fitted)
 {
   constexpr double tolerance_of_volumes = 0.05; // a guess; relative to the volume of a subdomain

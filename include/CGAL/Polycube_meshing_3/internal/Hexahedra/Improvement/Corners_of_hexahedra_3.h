@@ -66,8 +66,9 @@ public:
   const std::vector<std::size_t>& order() const { return m_order; } // of vertices
   const std::vector<Corner>& corners() const { return m_corners; }
 
-  // Sets the mean edge and the goals for edges, at least a part of it: own lengths at each corner if `are_own`, so that angles
-  // alone count, as they do for scaled Jacobians; otherwise the mean lengths of each hexahedron along its axes.
+  // Sets the mean edge, and the goals for edges, none of which is below a part of the mean edge. Goals are the own lengths at each
+  // corner if `are_own`, so that angles alone count, as they do for scaled Jacobians. Otherwise, they are the mean lengths of each
+  // hexahedron along its axes.
   void set_edges(const std::vector<Vector_3>& points, const bool are_own, Corner_goals_3& goals) const
   {
     const double shortest = are_own ? 0.05 : 0.5; // guesses; relative to the mean edge
@@ -81,7 +82,7 @@ public:
     };
     for(std::size_t c = 0; c < m_corners.size(); ++c)
       for(int i = 0; i < 3; ++i)
-        mean_length(c, i) += own_length(c, i) / 8;
+        mean_length(c, i) += own_length(c, i) / 8; // each of the four edges along an axis has two corners
     goals.mean_edge = 0;
     for(const Vector_3& lengths : mean_lengths)
       goals.mean_edge += (lengths[0] + lengths[1] + lengths[2]) / 3 / static_cast<double>(mean_lengths.size());

@@ -57,8 +57,8 @@ struct Middle_3
   double distance() const { return (point - nearest).norm(); }
 };
 
-// Calls `f` with each edge of the triangles, its middle, and the triangle. Each edge of two triangles looks for its nearest point
-// once.
+// Calls `f` with each edge of each triangle, its middle, and the triangle. An edge of two triangles comes twice, but its nearest
+// point is looked for once.
 template <typename Function>
 void for_each_middle(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const Function& f)
 {

@@ -91,8 +91,9 @@ public:
   // Makes steps of Newton's method for all vertices at once, or, unless `do_slide`, for those inside. Vertices on the boundary
   // move in its tangent planes or along lines, and are put back onto it. They are pulled to cover the boundary, the more the
   // larger the weight. Middles of edges are pulled only if all corners are positive, as that hinders untangling. Vertices that
-  // slide are held where they were at first, which helps to untangle corners. If all corners are positive, they are held where
-  // they are, as steps along a curved surface would be too long otherwise. Corners and hexahedra that are all positive remain so.
+  // slide are held where they were at first, which helps to untangle corners. If all corners are positive, those off lines are
+  // held where they are: steps along a curved surface would be too long otherwise. Corners and hexahedra that are all positive
+  // remain so.
   void improve(const std::size_t number_of_steps, const bool do_slide, const Corners_to_improve which, const double weight = 1)
   {
     const bool are_for_angles = which == Corners_to_improve::WORST_ANGLES;

@@ -81,6 +81,7 @@ inline std::vector<Hexahedra_of_vertex> watched_hexahedra_3(const std::vector<Ve
   return result;
 }
 
+// Returns the mean length of edges, those of a vertex or of all: an edge counts once for each of the corners that have it.
 inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const Corners_of_vertex& corners)
 {
   double sum = 0;

@@ -17,15 +17,16 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the sides of quadrangles of interfaces that get a layer of hexahedra, such that no hexahedron has two quadrangles in
-// one patch, which is smooth: a layer covers all interfaces of a subdomain that vertices join.
+// Returns the sides of quadrangles of interfaces that get a layer of hexahedra. A side needs one if its hexahedron has another
+// quadrangle in the patch, as the patch is smooth, and their angle almost straight. A layer goes on over all quadrangles of
+// interfaces of its subdomain that vertices join.
 inline std::vector<Quadrangle_of_hexahedron>
 sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles)
 {
   Disjoint_sets sets(2 * quadrangles.size()); // of sides
   std::map<std::pair<std::size_t, int>, std::size_t> side_at;      // by vertex and subdomain
   std::set<std::array<std::size_t, 2> > cells_and_patches;         // met so far
-  std::vector<std::size_t> sides_with_layer;
+  std::vector<std::size_t> sides_in_need;
   for(std::size_t i = 0; i < 2 * quadrangles.size(); ++i)
   {
     const Interface_quadrangle_3& q = quadrangles[i / 2];
@@ -33,10 +34,10 @@ sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrang
     for(const std::size_t v : q.vertices)
       sets.unite(i, side_at.emplace(std::make_pair(v, mesh.cell_references[side.cell]), i).first->second);
     if(!cells_and_patches.insert({ side.cell, q.patch }).second)
-      sides_with_layer.push_back(i);
+      sides_in_need.push_back(i);
   }
   std::set<std::size_t> sets_with_layer;
-  for(const std::size_t i : sides_with_layer)
+  for(const std::size_t i : sides_in_need)
     sets_with_layer.insert(sets.find(i));
   std::vector<Quadrangle_of_hexahedron> result;
   for(std::size_t i = 0; i < 2 * quadrangles.size(); ++i)
@@ -115,7 +116,7 @@ inline void move_to_images_of_positions(const Body_with_domain_3& body, const st
     for(const std::size_t v : facet)
       is_held[v][axis_of_facet(domain.points, facet)] = true;
   for(std::size_t v = 0; v < domain.points.size(); ++v)
-    if(positions[v].surface != &body.surface) // on an interface: those inside refer to the boundary, too
+    if(positions[v].surface != &body.surface) // on an interface: vertices inside have the surface of the body, too
       if(const auto image = body.map.nearest_image(exact_point(positions[v].point)))
         for(int axis = 0; axis < 3; ++axis)
           if(!is_held[v][axis])

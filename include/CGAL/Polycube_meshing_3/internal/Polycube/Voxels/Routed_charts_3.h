@@ -96,8 +96,8 @@ inline void split_around(const Vertices_of_corners_3& vertices, Unit_surface_3& 
   split_edges_3({ edges.begin(), edges.end() }, surface);
 }
 
-// Returns a column for each row of costs, at least one, such that the sum is least and the columns follow each other cyclically
-// as the rows do; none if there are fewer columns than rows. Uses dynamic programming for each column of the first row.
+// Returns a column for each row of costs, such that the sum is least and the columns follow each other cyclically as the rows do.
+// Returns none if there are fewer columns than rows. Needs a row. Uses dynamic programming for each column of the first row.
 inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<double> >& costs)
 {
   constexpr double infinity = (std::numeric_limits<double>::infinity)();

@@ -120,7 +120,8 @@ public:
 private:
   static double cross_product(const Vector_3& p, const Vector_3& q) { return p[0] * q[1] - p[1] * q[0]; }
 
-  // Returns coordinates in which samples have whole numbers. They are shifted a little, so that lines miss regular vertices.
+  // Returns coordinates in which samples have whole numbers. Lines are shifted by small arbitrary parts of the distance between
+  // them, so that they miss vertices of regular meshes.
   Vector_3 scaled(const Vector_3& p) const
   { return (p - m_origin) / m_spacing - Vector_3(0.5 + 1.234e-4, 0.5 - 2.345e-4, 0.5); }
 
