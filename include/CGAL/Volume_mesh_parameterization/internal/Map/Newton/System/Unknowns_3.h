@@ -36,14 +36,6 @@ public:
       }
   }
 
-  // The vertices whose projector is not zero, with the directions onto which it projects: space, a plane or a line.
-  explicit Unknowns_3(const std::vector<Matrix_3>& projectors)
-    : Unknowns_3(static_cast<int>(projectors.size()), [&](const int v) { return !projectors[v].is_zero(); })
-  {
-    for(const int v : m_vertices)
-      m_projectors.push_back(projectors[v]);
-  }
-
   // The vertices that may leave their targets. Those on surfaces cannot move until normals are set.
   explicit Unknowns_3(const Conditions_3& conditions)
     : Unknowns_3(static_cast<int>(conditions.size()), [&](const int v) { return conditions[v].dimension() > 0; })
