@@ -46,45 +46,46 @@ struct Chart_borders_3
   };
 
   std::vector<Side> sides;
-  std::vector<Vector_3> corners;
-  std::vector<std::vector<std::size_t> > sides_to_corner;  // in their order around the corner
+  std::vector<Vector_3> corners; // points
+  std::vector<std::vector<std::size_t> > sides_to_corner;  // of each corner: sides that end there, in their order around it
   std::vector<std::array<std::size_t, 2> > closed_chains;   // charts on both sides of chains without a corner
   std::vector<int> inner_characteristic;                   // Euler characteristics of charts without their borders
 };
 
-// Counts the defects of charts if whole charts get other labels, from the sides of the chains alone: neighbors with equal
-// labels are one chart then.
+// Counts the defects of charts if whole charts get other labels, from the sides of the chains alone. Neighbors with equal labels
+// are united to one chart then, which one of them represents.
 class Chart_defects_3
 {
 public:
   using Labels = std::vector<std::size_t>;
 
   Chart_defects_3(const Chart_borders_3& borders, const Labels& labels)
-    : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_whole(labels.size()),
+    : m_borders(borders), m_labels(labels), m_sides(borders.sides), m_representative(labels.size()),
       m_is_corner(borders.sides_to_corner.size(), false), m_is_followed(m_sides.size(), false),
       m_last(m_sides.size()), m_direction(m_sides.size()), m_defects(labels.size(), 0), m_characteristic(labels.size(), 0),
       m_turnings(labels.size())
   {
-    std::iota(m_whole.begin(), m_whole.end(), 0);
+    std::iota(m_representative.begin(), m_representative.end(), 0);
     for(std::size_t s = 0; s < m_sides.size(); s += 2)
-      unite(m_sides[s].chart, m_sides[s + 1].chart);
+      unite_if_equal(m_sides[s].chart, m_sides[s + 1].chart);
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
-      unite(charts[0], charts[1]);
+      unite_if_equal(charts[0], charts[1]);
     for(const Chart_borders_3::Side& side : m_sides)
     {
-      m_chart.push_back(m_whole[side.chart]);
+      m_chart.push_back(m_representative[side.chart]);
       m_label.push_back(m_labels[side.chart]);
     }
   }
 
-  // Returns the defects of each chart: borders without a corner, corners where not all axes meet, edges of the polycube without a
-  // direction or that turn back, and borders that are not those of a polygon. Charts that are one have them all at one chart.
+  // Returns the number of defects of each chart: borders without a corner, corners where not all axes meet, edges of the polycube
+  // without a direction or that turn back, and borders that are not those of a polygon. Defects of united charts are those of the
+  // chart that represents them.
   std::vector<int> count()
   {
     for(const std::array<std::size_t, 2>& charts : m_borders.closed_chains)
       if(m_labels[charts[0]] != m_labels[charts[1]])
         for(const std::size_t c : charts)
-          add_closed_chain(m_whole[c]);
+          add_border_without_corner(m_representative[c]);
     find_characteristics();
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
       visit_corner(sides);
@@ -99,7 +100,7 @@ public:
       if(separates(s) && !m_is_followed[s])
         follow_closed_chain(s);
     for(std::size_t c = 0; c < m_defects.size(); ++c)
-      if(m_whole[c] == c)
+      if(m_representative[c] == c)
         m_defects[c] += distance_from_polygon(m_turnings[c], m_characteristic[c]);
     return m_defects;
   }
@@ -110,7 +111,7 @@ private:
   // By how many right angles the borders of a chart turn left.
   struct Turnings
   {
-    int number = 0, largest = 0, distance = 0; // distance: the sum of those from turns around holes
+    int number = 0, largest = 0, distance = 0; // of borders, of the turnings, and the sum of distances from turns around holes
 
     void add(const int turning)
     {
@@ -121,11 +122,12 @@ private:
 
   static std::size_t opposite(const std::size_t side) { return side ^ 1; }
 
-  void unite(const std::size_t c, const std::size_t d)
+  // Unites two charts if their labels are equal.
+  void unite_if_equal(const std::size_t c, const std::size_t d)
   {
-    const std::size_t from = m_whole[c], to = m_whole[d];
+    const std::size_t from = m_representative[c], to = m_representative[d];
     if(m_labels[c] == m_labels[d])
-      std::replace(m_whole.begin(), m_whole.end(), from, to);
+      std::replace(m_representative.begin(), m_representative.end(), from, to);
   }
 
   std::size_t chart(const std::size_t side) const { return m_chart[side]; }
@@ -141,11 +143,11 @@ private:
     return side;
   }
 
-  // Adds the borders to the charts on both sides, and corners once to each chart there.
+  // Finds the Euler characteristics of charts with their borders: borders count on both sides, and corners once for each chart.
   void find_characteristics()
   {
-    for(std::size_t c = 0; c < m_whole.size(); ++c)
-      m_characteristic[m_whole[c]] += m_borders.inner_characteristic[c];
+    for(std::size_t c = 0; c < m_representative.size(); ++c)
+      m_characteristic[m_representative[c]] += m_borders.inner_characteristic[c];
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
         --m_characteristic[chart(s)];
@@ -171,7 +173,7 @@ private:
         m_defects[chart(s)] += separates(s);
   }
 
-  // Follows the chain from the corner where its first side begins to the next corner.
+  // Finds the last side and the direction of the chain that begins with a side at a corner.
   void follow_chain(const std::size_t side)
   {
     std::size_t s = side;
@@ -186,7 +188,7 @@ private:
                                           m_borders.corners[m_sides[s].last]);
   }
 
-  // Follows a border from chain to chain, and sums up by how many right angles it turns left.
+  // Follows a border from chain to chain. Counts edges without a direction or that turn back, and sums up the left turns.
   void follow_border(const std::size_t side, std::vector<bool>& is_visited)
   {
     int turning = 0;
@@ -200,15 +202,16 @@ private:
     m_turnings[chart(side)].add(turning);
   }
 
+  // Counts the border along a chain that has lost its corners.
   void follow_closed_chain(const std::size_t side)
   {
-    add_closed_chain(chart(side));
+    add_border_without_corner(chart(side));
     for(std::size_t s = side; !m_is_followed[s]; s = next(s))
       m_is_followed[s] = true;
   }
 
   // Counts a border without a corner, which is a defect and has no turns.
-  void add_closed_chain(const std::size_t chart)
+  void add_border_without_corner(const std::size_t chart)
   {
     ++m_defects[chart];
     m_turnings[chart].add(0);
@@ -226,9 +229,9 @@ private:
   const Chart_borders_3& m_borders;
   const Labels& m_labels;
   const std::vector<Chart_borders_3::Side>& m_sides;
-  std::vector<std::size_t> m_whole; // for each chart, the one that stands for all of the chart that it is a part of now
-  std::vector<std::size_t> m_chart, m_label; // by side: that chart, and its label
-  std::vector<bool> m_is_corner, m_is_followed;
+  std::vector<std::size_t> m_representative; // of the united charts that a chart is one of
+  std::vector<std::size_t> m_chart, m_label; // by side: the representative of its chart, and the label
+  std::vector<bool> m_is_corner, m_is_followed; // by corner, whether it remains one; by side
   std::vector<std::size_t> m_last;          // last side of the chain that begins with a side
   std::vector<Eigen::Vector3i> m_direction; // direction of the chain that begins with a side
   std::vector<int> m_defects, m_characteristic;

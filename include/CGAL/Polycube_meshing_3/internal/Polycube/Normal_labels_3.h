@@ -20,7 +20,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Relabelling of a chart, with the increase of the cost of all labels.
+// Relabelling of a chart, and the increase of the cost of all labels by it.
 struct Chart_relabelling_3
 {
   std::size_t chart, label;
@@ -28,8 +28,8 @@ struct Chart_relabelling_3
 };
 
 // Labels the faces of a surface with axis directions that are close to their normals and change along short lines, which lower
-// the sum of `Label_functional_3`. Small regions and whole charts change their labels as long as it falls: nearly as far as with
-// minimum cuts, which take many times as long. No polycube has edges where opposite directions meet: around such edges,
+// the sum of `Label_functional_3`. Small regions and whole charts change their labels as long as the sum falls: nearly as far as
+// with minimum cuts, which take many times as long. No polycube has edges where opposite directions meet: around such edges,
 // labels of their axis are made expensive, until nothing changes.
 class Normal_labels_3
 {
@@ -59,7 +59,7 @@ public:
     }
   }
 
-  // Returns the directions that are closest to the normals.
+  // Returns for each face the direction that is closest to the normal.
   Labels closest() const
   {
     Labels labels;
@@ -75,7 +75,7 @@ public:
   std::vector<Slope> slopes() const
   {
     constexpr double least_area = 0.004, least_cost = 0.05; // guesses; parts of the whole area and of that of a face: 18 degrees
-    Labels directions; // the two closest ones, or 0
+    Labels directions; // a number for the two closest ones, or 0
     for(const Face f : m_mesh.faces())
     {
       const auto [a, b] = two_closest(f);
@@ -99,13 +99,13 @@ public:
   }
 
   // Makes the faces of a slope prefer the second closest direction.
-  void turn(const Slope& slope)
+  void prefer_second_direction(const Slope& slope)
   {
     for(const Face f : slope.faces)
       m_face_costs[f][two_closest(f)[0]] += area_of_face(m_mesh, f);
   }
 
-  // Lowers the sum, `smoothing` being the weight of the lengths.
+  // Changes labels such that the sum falls, `smoothing` being the weight of the lengths.
   void minimize(const double smoothing, Labels& labels)
   {
     const std::vector<bool> none(labels.size(), false);
@@ -124,9 +124,10 @@ public:
     while(!m_budget.is_exhausted() && avoid_opposite_neighbors(labels));
   }
 
+  // Returns the term of a face, which is raised if the label is expensive there, or not preferred.
   double cost(const Face f, const std::size_t label) const { return m_face_costs[f][label]; }
 
-  // Returns for all charts the labels that they do not have, the one with the least increase of the cost first.
+  // Returns the changes of each chart to each other label, the change with the least increase of the cost first.
   std::vector<Chart_relabelling_3> chart_relabellings(const double smoothing, const Labels& labels,
                                                       const std::vector<std::size_t>& chart_of_face) const
   {
@@ -158,7 +159,7 @@ public:
 private:
   using Costs = std::array<double, 6>;
 
-  // Side of a face: the face beyond it, and the cost of different labels on both sides, smoothing 1.
+  // Side of a face: the face beyond, and the cost of different labels on both sides with a smoothing of 1.
   struct Side { Face face; double cost; };
 
   // Returns the two cheapest labels of a face.
@@ -169,8 +170,8 @@ private:
     return { order[0], order[1] };
   }
 
-  // Relabels the charts whose new labels lower the sum more than those of their neighbors: what a chart gains holds as long as its
-  // neighbors keep their labels. Returns whether there were any.
+  // Relabels the charts whose new labels lower the sum more than those of their neighbors: the gain of a chart is known as long as
+  // its neighbors keep their labels. Returns whether there were any.
   bool relabel_charts(const double smoothing, Labels& labels) const
   {
     const auto [chart_of_face, n] = connected_charts_3(m_mesh, labels);
@@ -196,8 +197,8 @@ private:
   // Tells, by number of rings and by face, whether the region around the face keeps its labels as long as none nearby changes.
   using Settled_faces = std::array<std::vector<bool>, 3>;
 
-  // Gives the faces within some rings around each face on a border of charts one label, where the sum falls thereby. Returns
-  // whether any label changed.
+  // Gives the faces within some rings around each face on a border of charts one label, where the sum falls thereby, and updates
+  // which faces are settled. Returns whether any label changed.
   bool relabel_regions(const int rings, const double smoothing, Settled_faces& is_settled, Labels& labels) const
   {
     bool has_changed = false;
@@ -225,7 +226,7 @@ private:
     return has_changed;
   }
 
-  // Adds rings of faces around a region. Faces of the region have its center; those that have been added before have it, too.
+  // Adds rings of faces around a region. Faces in the region, also new ones, have its center in `center_of_face`, no others do.
   void add_rings(const int rings, const Face center, std::vector<Face>& center_of_face, std::vector<Face>& region) const
   {
     for(int ring = 0; ring < rings; ++ring)
@@ -235,16 +236,16 @@ private:
             region.push_back(g);
   }
 
-  // Returns the cheapest label for all faces of a region, and by how much it is cheaper than the labels there.
+  // Returns the cheapest label for all faces of a region, and by how much the sum falls with this label.
   std::pair<std::size_t, double> best_label(const std::vector<Face>& region, const Face center,
                                             const std::vector<Face>& center_of_face, const double smoothing,
                                             const Labels& labels) const
   {
     Costs costs{};
-    double before = 0;
+    double cost_before = 0;
     for(const Face f : region)
     {
-      before += cost(f, labels[f]);
+      cost_before += cost(f, labels[f]);
       for(std::size_t label = 0; label < 6; ++label)
         costs[label] += cost(f, label);
       for(const auto& [g, cost_of_side] : m_sides[f])
@@ -253,17 +254,17 @@ private:
         if(center_of_face[g] != center)
         {
           costs[labels[g]] -= cost_of_edge;
-          before -= (labels[g] == labels[f]) ? cost_of_edge : 0;
+          cost_before -= (labels[g] == labels[f]) ? cost_of_edge : 0;
         }
         else if(labels[g] != labels[f])
-          before += cost_of_edge / 2; // the edge is met from both sides
+          cost_before += cost_of_edge / 2; // the edge is met from both sides
       }
     }
     const std::size_t label = std::min_element(costs.begin(), costs.end()) - costs.begin();
-    return { label, before - costs[label] };
+    return { label, cost_before - costs[label] };
   }
 
-  // Makes labels expensive where opposite directions meet. Returns whether any were not so before.
+  // Makes labels expensive where opposite directions meet. Returns whether any label has become expensive.
   bool avoid_opposite_neighbors(const Labels& labels)
   {
     constexpr double factor = 9; // a guess; of the area
@@ -280,9 +281,9 @@ private:
           continue;
         is_expensive = has_changed = true;
         Costs& costs = m_face_costs[m_mesh.face(k)];
-        const double area = (costs[label] + costs[neighbor]) / 2;
-        for(const std::size_t l : { label, neighbor })
-          costs[l] += factor * area;
+        const double area = (costs[label] + costs[neighbor]) / 2; // as the scalar products in both costs cancel
+        for(const std::size_t expensive : { label, neighbor })
+          costs[expensive] += factor * area;
       }
     }
     return has_changed;

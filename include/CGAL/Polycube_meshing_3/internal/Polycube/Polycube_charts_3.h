@@ -42,17 +42,17 @@ inline std::pair<std::vector<std::size_t>, std::size_t> connected_charts_3(const
 struct Polycube_chain_3
 {
   std::vector<Boundary_mesh_3::Halfedge_index> halfedges; // counterclockwise around the first chart
-  std::array<std::size_t, 2> charts;
+  std::array<std::size_t, 2> charts; // on the left and on the right
   int axis = -1; // -1 if the labels are not orthogonal
-  int sign = 0;  // the sign of its direction along the axis
+  int sign = 0;  // of the direction along the axis; 0 if there is none
 };
 
 // Charts of a labelled surface, their corners, where three or more charts meet, and the chains between the corners.
 //
-// A chain leads in the direction of its axis in which its last corner lies from its first one. Hence the border of each
-// chart is a sequence of directions, and a chart is valid only if the directions close to polygons: by the theorem of the
-// turning tangents a border turns left by four right angles around a disc, by none around a ring, and so on. Defects are
-// counted for other labels of whole charts, too, from the chains alone.
+// The direction of a chain is that from its first to its last corner along its axis. Hence the border of each chart is a sequence
+// of directions, and a chart is valid only if these close to polygons: by the theorem of the turning tangents, a border turns left
+// by four right angles around a disc, by none around a ring, and so on. Defects are counted for other labels of whole charts, too,
+// from the chains alone.
 class Polycube_charts_3
 {
 public:
@@ -68,9 +68,10 @@ public:
     m_labels.resize(n);
     for(const auto f : mesh.faces())
       m_labels[m_chart_of_face[f]] = labels[f];
-    const std::vector<int> number_of_borders = this->number_of_borders();
-    find_chains(number_of_borders);
-    find_inner_characteristics(number_of_borders);
+    const std::vector<int> border_degrees = this->border_degrees();
+    find_chains(border_degrees);
+    find_sides();
+    find_inner_characteristics(border_degrees);
     m_defects = Chart_defects_3(m_borders, m_labels).count();
     m_is_beside_invalid.resize(n);
     for(const Halfedge h : mesh.halfedges())
@@ -80,13 +81,15 @@ public:
 
   const std::vector<std::size_t>& chart_of_face() const { return m_chart_of_face; }
   std::size_t chart(const Halfedge h) const { return m_chart_of_face[m_mesh.face(h)]; }
+  bool separates(const Halfedge h) const { return chart(h) != chart(m_mesh.opposite(h)); }
   std::size_t number_of_charts() const { return m_labels.size(); }
-  const Labels& labels() const { return m_labels; }
+  const Labels& labels() const { return m_labels; } // of the charts
   int axis(const std::size_t chart) const { return axis_of_direction(m_labels[chart]); }
   const std::vector<Polycube_chain_3>& chains() const { return m_chains; }
   const std::vector<Vertex>& corners() const { return m_corners; }
   bool is_valid(const std::size_t chart) const { return m_defects[chart] == 0; }
   int number_of_defects() const { return std::accumulate(m_defects.begin(), m_defects.end(), 0); }
+
   // Returns the number of defects if the charts had other labels.
   int number_of_defects(const Labels& labels) const
   {
@@ -132,11 +135,6 @@ public:
   }
 
 private:
-  bool separates(const Halfedge h) const
-  {
-    return chart(h) != chart(m_mesh.opposite(h));
-  }
-
   // Returns the next halfedge on the border of the chart of h.
   Halfedge next_on_border(Halfedge h) const
   {
@@ -147,7 +145,7 @@ private:
   }
 
   // Returns how many edges between charts meet at each vertex.
-  std::vector<int> number_of_borders() const
+  std::vector<int> border_degrees() const
   {
     std::vector<int> result(m_mesh.number_of_vertices(), 0);
     for(const Halfedge h : m_mesh.halfedges())
@@ -155,12 +153,13 @@ private:
     return result;
   }
 
-  void find_chains(const std::vector<int>& number_of_borders)
+  // Finds the corners, the chains between them, and the closed chains, which have no corner.
+  void find_chains(const std::vector<int>& border_degrees)
   {
     std::vector<bool> is_corner(m_mesh.number_of_vertices()), is_in_chain(m_mesh.number_of_halfedges(), false);
     for(const Vertex v : m_mesh.vertices())
     {
-      is_corner[v] = number_of_borders[v] > 2;
+      is_corner[v] = border_degrees[v] > 2;
       if(is_corner[v])
         m_corners.push_back(v);
     }
@@ -168,16 +167,16 @@ private:
       for(const Halfedge h : CGAL::halfedges_around_source(v, m_mesh))
         if(separates(h) && chart(h) < chart(m_mesh.opposite(h)))
           add_chain(h, is_corner, is_in_chain);
-    for(const Halfedge h : m_mesh.halfedges()) // closed chains, without a corner
+    for(const Halfedge h : m_mesh.halfedges())
       if(separates(h) && !is_in_chain[h])
       {
         m_borders.closed_chains.push_back({ chart(h), chart(m_mesh.opposite(h)) });
         for(Halfedge k = h; !is_in_chain[k]; k = next_on_border(k))
           is_in_chain[k] = is_in_chain[m_mesh.opposite(k)] = true;
       }
-    find_sides();
   }
 
+  // Adds the chain that begins with a halfedge, which leaves a corner.
   void add_chain(Halfedge h, const std::vector<bool>& is_corner, std::vector<bool>& is_in_chain)
   {
     Polycube_chain_3 chain;
@@ -195,6 +194,7 @@ private:
     m_chains.push_back(chain);
   }
 
+  // Finds the sides of the chains, and those that end at each corner.
   void find_sides()
   {
     std::vector<std::size_t> side_of_halfedge(m_mesh.number_of_halfedges());
@@ -203,7 +203,7 @@ private:
       side_of_halfedge[m_chains[i].halfedges.front()] = 2 * i;
       side_of_halfedge[m_mesh.opposite(m_chains[i].halfedges.back())] = 2 * i + 1;
     }
-    std::vector<std::size_t> corner(m_mesh.number_of_vertices());
+    std::vector<std::size_t> corner(m_mesh.number_of_vertices()); // number of the corner at a vertex
     for(const Vertex v : m_corners)
     {
       corner[v] = m_borders.corners.size();
@@ -224,7 +224,7 @@ private:
   }
 
   // Finds the Euler characteristics of the charts without their borders.
-  void find_inner_characteristics(const std::vector<int>& number_of_borders)
+  void find_inner_characteristics(const std::vector<int>& border_degrees)
   {
     m_borders.inner_characteristic.assign(number_of_charts(), 0);
     for(const auto f : m_mesh.faces())
@@ -233,7 +233,7 @@ private:
       if(!separates(m_mesh.halfedge(e)))
         --m_borders.inner_characteristic[chart(m_mesh.halfedge(e))];
     for(const Vertex v : m_mesh.vertices())
-      if(number_of_borders[v] == 0)
+      if(border_degrees[v] == 0)
         ++m_borders.inner_characteristic[chart(m_mesh.halfedge(v))];
   }
 
@@ -243,7 +243,7 @@ private:
   std::vector<Polycube_chain_3> m_chains;
   std::vector<Vertex> m_corners;
   Chart_borders_3 m_borders;
-  std::vector<int> m_defects;
+  std::vector<int> m_defects; // numbers, by chart
   std::vector<bool> m_is_beside_invalid;
 };
 

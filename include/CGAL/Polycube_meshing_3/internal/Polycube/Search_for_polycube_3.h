@@ -91,12 +91,12 @@ private:
       if(!(best.distortion > bad_distortion) || in_vain++ == patience)
         return;
       Normal_labels_3 turned = costs;
-      turned.turn(slope);
+      turned.prefer_second_direction(slope);
       Surface_map_3 other = proposed(turned);
       if(!(other.distortion < best.distortion))
         continue;
       best = std::move(other);
-      costs.turn(slope);
+      costs.prefer_second_direction(slope);
       in_vain = 0;
     }
   }
