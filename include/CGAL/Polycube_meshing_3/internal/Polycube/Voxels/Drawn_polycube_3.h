@@ -22,8 +22,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the charts of the facets that have a vertex with a facet, in their order around it: each run of facets with one chart
-// counts once.
+// Returns the charts of the facets that share a vertex with a facet, in their order around that facet. Each run of facets in one
+// chart counts once.
 inline std::vector<std::size_t> charts_around(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f,
                                               const std::vector<std::size_t>& chart_of_facet)
 {
@@ -37,12 +37,27 @@ inline std::vector<std::size_t> charts_around(const Boundary_mesh_3& mesh, const
   return result;
 }
 
-// Gives facets to neighboring charts as long as that lowers the cost of the labels and the length of borders, and keeps the
-// topology of the charts: around the facet, its chart and the other one, and perhaps a third one, have one run of facets each.
+// Returns whether the topology of charts stays if a facet goes over to the chart of a neighbor: its chart has one or
+// two of the three neighbors, and around the facet, its chart and one or two others have one run of facets each.
+inline bool may_change_chart(const Boundary_mesh_3& mesh, const Boundary_mesh_3::Face_index f,
+                             const std::vector<std::size_t>& chart_of_facet)
+{
+  const auto edges = CGAL::halfedges_around_face(mesh.halfedge(f), mesh);
+  const auto number_of_own = std::count_if(edges.begin(), edges.end(), [&](const auto h)
+  { return chart_of_facet[mesh.face(mesh.opposite(h))] == chart_of_facet[f]; });
+  if(number_of_own == 0 || number_of_own == 3)
+    return false;
+  std::vector<std::size_t> around = charts_around(mesh, f, chart_of_facet);
+  std::sort(around.begin(), around.end());
+  return around.size() <= 3 && std::unique(around.begin(), around.end()) == around.end()
+         && std::binary_search(around.begin(), around.end(), chart_of_facet[f]);
+}
+
+// Gives facets to neighboring charts as long as that lowers the cost of labels and borders and keeps the topology of the charts.
 inline void relax_charts_3(const Unit_surface_3& surface, const std::vector<std::size_t>& label_of_chart,
                            std::vector<std::size_t>& chart_of_facet)
 {
-  constexpr double smoothing = 0.02;             // in units of the body, as for moves of charts
+  constexpr double smoothing = 0.02;             // weight of the lengths of borders, as for moves of charts
   constexpr int maximum_number_of_rounds = 200;  // a guess
   const Boundary_mesh_3& mesh = surface.mesh;
   const Label_functional_3 functional(mesh, surface.is_sharp);
@@ -58,13 +73,7 @@ inline void relax_charts_3(const Unit_surface_3& surface, const std::vector<std:
       const std::size_t chart = chart_of_facet[f];
       const auto edges = CGAL::halfedges_around_face(mesh.halfedge(f), mesh);
       const auto chart_across = [&](const auto h) { return chart_of_facet[mesh.face(mesh.opposite(h))]; };
-      const auto number_of_own = std::count_if(edges.begin(), edges.end(), [&](const auto h) { return chart_across(h) == chart; });
-      if(sizes[chart] < 2 || number_of_own == 0 || number_of_own == 3)
-        continue;
-      std::vector<std::size_t> around = charts_around(mesh, f, chart_of_facet);
-      std::sort(around.begin(), around.end());
-      if(around.size() > 3 || std::unique(around.begin(), around.end()) != around.end()
-         || !std::binary_search(around.begin(), around.end(), chart))
+      if(sizes[chart] < 2 || !may_change_chart(mesh, f, chart_of_facet))
         continue;
       const auto cost = [&](const std::size_t c)
       {
@@ -89,13 +98,13 @@ inline void relax_charts_3(const Unit_surface_3& surface, const std::vector<std:
   }
 }
 
-// Polycube of voxels: placed faces of the voxels that it was made of, and their charts.
+// Polycube of voxels: faces of the voxels, placed on the surface, and their charts.
 struct Polycube_of_voxels_3
 {
   double size_of_voxels;
   Voxel_faces_3 faces;
   Polycube_charts_3 charts;
-  std::vector<int> plane_of_chart; // numbers of layers of voxels
+  std::vector<int> plane_of_chart; // number of the plane between layers of voxels, along the axis of the chart
 
   // Takes the labels of the faces, and the planes of their images.
   Polycube_of_voxels_3(const double size, Voxel_faces_3 placed, const std::vector<std::size_t>& labels,
@@ -115,7 +124,7 @@ struct Drawn_polycube_3
   std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
 };
 
-// Draws the charts on a surface, whose edges are split to a length near chains, and to their distance from these elsewhere.
+// Draws the charts on a surface. Its edges are split to the length near chains, and to the distance from chains elsewhere.
 inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface, const double length,
                                         const Budget& budget)
 {

@@ -23,17 +23,18 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Finds among points with normals the one nearest to another point and normal: a tree in six dimensions.
+// Finds among points with normals the one nearest to another point and normal, by a tree in six dimensions.
 class Nearest_with_normal_3
 {
 public:
-  // Takes the distance that counts as much as a right angle between normals.
+  // Takes the distance that counts as much as 60 degrees between normals; 0 if normals do not count.
   explicit Nearest_with_normal_3(const double weight) : m_weight(weight) {}
 
-  void add(const Vector_3& p, const Vector_3& normal) { m_tree.insert(joined(p, normal, m_tree.size())); }
+  void add(const Vector_3& p, const Vector_3& normal) { m_tree.insert(point_6(p, normal, m_tree.size())); }
 
+  // Returns the number of the nearest point, in the order in which points were added.
   std::size_t nearest(const Vector_3& p, const Vector_3& normal) const
-  { return Search(m_tree, joined(p, normal, 0), 1).begin()->first.number; }
+  { return Search(m_tree, point_6(p, normal, 0), 1).begin()->first.number; }
 
 private:
   struct Point_6
@@ -51,7 +52,7 @@ private:
 
   using Search = Orthogonal_k_neighbor_search<Search_traits<double, Point_6, const double*, Coordinates, Dimension_tag<6> > >;
 
-  Point_6 joined(const Vector_3& p, const Vector_3& normal, const std::size_t number) const
+  Point_6 point_6(const Vector_3& p, const Vector_3& normal, const std::size_t number) const
   {
     const Vector_3 n = m_weight * normal;
     return { { p[0], p[1], p[2], n[0], n[1], n[2] }, number };
@@ -61,8 +62,8 @@ private:
   Search::Tree m_tree;
 };
 
-// Places the corners of faces of voxels on a surface, by rounds of smoothing and projection to planes of facets that are near
-// in position and normal.
+// Places the vertices of faces of voxels on a surface, by rounds of smoothing and projection to planes of facets that are near in
+// position and normal.
 class Placement_of_voxel_faces_3
 {
 public:
@@ -76,18 +77,18 @@ public:
     }
   }
 
-  // Returns the faces after the number of rounds with which fewest of them are folded: more rounds make them smoother, but let
-  // them slide off thin parts.
+  // Returns the faces after the number of rounds that leaves the fewest faces folded. More rounds make the faces smoother, but let
+  // faces slide off thin parts.
   Voxel_faces_3 run(const Voxel_faces_3& faces) const
   {
-    constexpr int maximum_number_of_rounds = 40; // a guess
+    constexpr int maximum_number_of_rounds = 40, first_rounds = 5; // guesses; the first ones go half of the way
     Voxel_faces_3 present = faces, best = faces;
     std::size_t fewest = (std::numeric_limits<std::size_t>::max)();
     for(int round = 0; round < maximum_number_of_rounds && fewest > 0; ++round)
     {
       if(round > 0)
         smooth(present);
-      project(present, round < 5 ? 0.5 : 1);
+      project(present, round < first_rounds ? 0.5 : 1);
       if(const std::size_t number = number_of_folded_faces(present); round > 0 && number < fewest)
       {
         fewest = number;
@@ -98,6 +99,7 @@ public:
   }
 
 private:
+  // Moves each vertex half of the way to the mean of its neighbors.
   static void smooth(Voxel_faces_3& faces)
   {
     Boundary_mesh_3& mesh = faces.mesh;
@@ -125,7 +127,7 @@ private:
     }
   }
 
-  // Counts faces with a corner whose normal leads away from that of the nearest facet.
+  // Counts faces with a corner whose normal makes a right angle or more with that of the facet nearest to the center.
   std::size_t number_of_folded_faces(const Voxel_faces_3& faces) const
   {
     std::size_t result = 0;
@@ -149,7 +151,7 @@ private:
   Nearest_with_normal_3 m_nearest, m_nearest_in_position;
 };
 
-// Returns the face that is nearest to each facet.
+// Returns for each facet the face of voxels, as an index in the mesh, that is nearest in position and normal.
 inline std::vector<std::size_t> nearest_voxel_faces_3(const Facets_3& facets, const Voxel_faces_3& faces, const double spacing)
 {
   constexpr std::size_t samples = 5; // along each edge; a guess

@@ -41,22 +41,22 @@ inline std::vector<Vector_3> area_vectors_of_vertices(const Boundary_mesh_3& mes
   return result;
 }
 
-// Vertices of a surface, by corners of charts of placed faces of voxels.
+// Vertices of a surface, by the corners of charts of placed faces of voxels.
 using Vertices_of_corners_3 = std::map<Polycube_charts_3::Vertex, Polycube_charts_3::Vertex>;
 
-// Returns the halfedges that leave a corner between two charts, in their order around it.
+// Returns the halfedges between two charts that leave a corner, in their order around the corner.
 inline std::vector<Boundary_mesh_3::Halfedge_index>
 chains_from_corner(const Boundary_mesh_3& faces, const Polycube_charts_3& charts, const Polycube_charts_3::Vertex corner)
 {
   std::vector<Boundary_mesh_3::Halfedge_index> result;
   for(const auto h : CGAL::halfedges_around_source(corner, faces))
-    if(charts.chart(h) != charts.chart(faces.opposite(h)))
+    if(charts.separates(h))
       result.push_back(h);
   return result;
 }
 
-// Finds a vertex for each corner: the nearest one with enough edges, and with two edges at least to any other. None if there is
-// no such vertex.
+// Returns a vertex for each corner: the nearest one that has an edge for each chain and is at least three edges away from the
+// vertices of other corners. Returns none if a corner has no such vertex.
 inline Vertices_of_corners_3 vertices_of_corners_3(const Boundary_mesh_3& mesh, const Voxel_faces_3& faces,
                                                    const Polycube_charts_3& charts)
 {
@@ -85,7 +85,7 @@ inline Vertices_of_corners_3 vertices_of_corners_3(const Boundary_mesh_3& mesh, 
   return result;
 }
 
-// Splits all edges of the facets at the vertices of corners.
+// Splits all edges of the facets around the vertices of corners.
 inline void split_around(const Vertices_of_corners_3& vertices, Unit_surface_3& surface)
 {
   const Boundary_mesh_3& mesh = surface.mesh;
@@ -130,8 +130,8 @@ inline std::vector<std::size_t> cyclic_assignment(const std::vector<std::vector<
   return result;
 }
 
-// Chooses for each halfedge with which a chain leaves a corner one that leaves the vertex of the corner, in a direction close to
-// it. Both have the same order around. None if there are too few.
+// Returns for each halfedge of faces of voxels with which a chain leaves a corner a halfedge of the surface that leaves the vertex
+// of the corner. The directions are close, and their orders around the corner are the same. Returns none if there are too few.
 inline std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index>
 first_halfedges_of_chains_3(const Boundary_mesh_3& mesh, const Boundary_mesh_3& faces, const Polycube_charts_3& charts,
                             const Vertices_of_corners_3& vertices)
@@ -193,7 +193,7 @@ public:
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
-      std::rotate(order.begin(), blocked, blocked + 1); // it comes first
+      std::rotate(order.begin(), blocked, blocked + 1); // the blocked chain comes first
     }
     return {};
   }
@@ -210,18 +210,19 @@ private:
     return Polyline_3(std::move(points));
   }
 
-  // Routes the chains one after the other. Returns the first one that is blocked.
+  // Routes the chains one after the other. Returns the place in the order of the first one that is blocked, or its end.
   std::vector<std::size_t>::iterator route(std::vector<std::size_t>& order)
   {
     m_is_used.assign(m_mesh.number_of_vertices(), false);
     for(const auto& [corner, v] : m_corners)
       m_is_used[v] = true;
-    for(const auto& [first, h] : m_first_halfedges) // belongs to one chain
+    for(const auto& [first, h] : m_first_halfedges) // no path of another chain may pass
       m_is_used[m_mesh.target(h)] = true;
-    return std::find_if_not(order.begin(), order.end(), [&](const std::size_t i) { return route(i); });
+    return std::find_if_not(order.begin(), order.end(), [&](const std::size_t i) { return route_chain(i); });
   }
 
-  bool route(const std::size_t i)
+  // Finds the path of a chain, and returns whether there is one.
+  bool route_chain(const std::size_t i)
   {
     const auto& halfedges = m_charts.chains()[i].halfedges;
     const auto first = m_first_halfedges.at(halfedges.front()),
@@ -237,8 +238,8 @@ private:
     return true;
   }
 
-  // Returns the vertices of the shortest path that avoids vertices in use; none if they block it. Edges have a weight that grows
-  // with their distance from the chain on the faces of voxels.
+  // Returns the vertices of the shortest path that avoids vertices in use; none if these block all paths. The weights of edges
+  // grow with the distances from the chain on the faces of voxels.
   std::vector<std::size_t> shortest_path(const std::size_t from, const std::size_t to, const Polyline_3& chain) const
   {
     constexpr double weight = 20; // a guess
@@ -253,7 +254,7 @@ private:
                           [&](const std::size_t v) { return v == to; }).path_to(to);
   }
 
-  // Returns the charts of the facets between the paths; none if one has no part or several.
+  // Returns the charts of the facets between the paths; none if a chart would be empty, or not connected.
   std::vector<std::size_t> charts_between_paths() const
   {
     std::vector<std::size_t> chart_of_halfedge(m_mesh.number_of_halfedges(), none);
@@ -290,10 +291,10 @@ private:
   const Voxel_faces_3& m_faces;
   const Polycube_charts_3& m_charts; // of the faces
   const double m_spacing;
-  std::vector<std::vector<std::size_t> > m_paths; // vertices, of each chain
+  std::vector<std::vector<std::size_t> > m_paths; // vertices of the surface, for each chain
   Vertices_of_corners_3 m_corners;
   std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index> m_first_halfedges;
-  std::vector<bool> m_is_used;
+  std::vector<bool> m_is_used; // by vertex: on a path, or where paths begin and end
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -35,7 +35,7 @@ struct Voxels_3
   Eigen::Vector3i size = Eigen::Vector3i::Zero();     // numbers of voxels along the axes
   double spacing = 0;
   Vector_3 origin = Vector_3::Zero();   // lowest corner of the box
-  std::vector<double> parts;                          // part of each voxel that is inside of a surface
+  std::vector<double> parts;                          // part of each voxel, by its index, that is inside of a surface
   std::vector<bool> is_inside;                        // whether each voxel belongs to the body
 
   std::size_t index(const Eigen::Vector3i& v) const { return static_cast<std::size_t>((v[2] * size[1] + v[1]) * size[0] + v[0]); }
@@ -46,13 +46,14 @@ struct Voxels_3
     return Eigen::Vector3i(i % size[0], i / size[0] % size[1], i / size[0] / size[1]);
   }
 
-  // Returns whether a voxel is in the box, and at least that far from its sides.
+  // Returns whether a voxel is in the box, with at least so many voxels between it and the sides.
   bool is_in_box(const Eigen::Vector3i& v, const int distance = 0) const
   { return (v.array() >= distance).all() && (v.array() < size.array() - distance).all(); }
 
   bool contains(const Eigen::Vector3i& v) const { return is_in_box(v) && is_inside[index(v)]; }
 
-  // Returns which of the eight voxels at the lowest corner of voxel p belong to the body: bit 1, 2, 4 of a place for +x, +y, +z.
+  // Returns which of the eight octants around the lowest corner of voxel p are in the body: bit k of the result for octant k. Bits
+  // 1, 2 and 4 of k are set for octants on the side of +x, +y and +z.
   unsigned int octants(const Eigen::Vector3i& p) const
   {
     unsigned int result = 0;
@@ -67,11 +68,11 @@ struct Voxels_3
   { return Eigen::Vector3i(static_cast<int>(k & 1), static_cast<int>(k >> 1 & 1), static_cast<int>(k >> 2 & 1)); }
 };
 
-// Heights at which a surface crosses vertical lines, with their regular samples per voxel along each axis.
+// Vertical lines through regular samples of voxels, with the heights at which a surface crosses the lines.
 class Columns_of_voxels_3
 {
 public:
-  static constexpr int samples = 3; // a guess: 27 points of a voxel decide which part is inside
+  static constexpr int samples = 3; // along each axis of a voxel; a guess: 27 points of a voxel decide which part is inside
 
   explicit Columns_of_voxels_3(const Voxels_3& voxels)
     : m_origin(voxels.origin), m_spacing(voxels.spacing / samples), m_size{ samples * voxels.size[0], samples * voxels.size[1] },
@@ -94,7 +95,7 @@ public:
     for(int j = lo[1]; j <= hi[1]; ++j)
       for(int i = lo[0]; i <= hi[0]; ++i)
       {
-        const Vector_3 p(i, j, 0);
+        const Vector_3 p(i, j, 0); // whose barycentric coordinates are u, v and w
         const double u = cross_product(b - p, c - p) / area, v = cross_product(c - p, a - p) / area, w = 1 - u - v;
         if(u >= 0 && v >= 0 && w >= 0)
           m_heights[static_cast<std::size_t>(j * m_size[0] + i)].push_back(u * a[2] + v * b[2] + w * c[2]);
@@ -102,7 +103,7 @@ public:
   }
 
   // Adds to each voxel the part of its samples that are inside: between an odd and the next even crossing of their line.
-  void add_to(Voxels_3& voxels)
+  void add_parts_to(Voxels_3& voxels)
   {
     constexpr double part = 1. / (samples * samples * samples);
     for(int j = 0; j < m_size[1]; ++j)
@@ -128,10 +129,10 @@ private:
   Vector_3 m_origin;
   double m_spacing;
   std::array<int, 2> m_size;
-  std::vector<std::vector<double> > m_heights;
+  std::vector<std::vector<double> > m_heights; // for each line, along x first
 };
 
-// Returns the voxels of which more than a part is inside of a closed surface. The grid is shifted by parts of a voxel.
+// Returns the voxels of which more than `least_part` is inside of a closed surface. The shift of the grid is in units of voxels.
 inline Voxels_3 voxels_of_surface_3(const Boundary_mesh_3& mesh, const double spacing, const Vector_3& shift,
                                     const double least_part)
 {
@@ -150,7 +151,7 @@ inline Voxels_3 voxels_of_surface_3(const Boundary_mesh_3& mesh, const double sp
     const auto [a, b, c] = vertices_of_face(mesh, f);
     columns.add_crossings({ points[a], points[b], points[c] });
   }
-  columns.add_to(voxels);
+  columns.add_parts_to(voxels);
   for(const double part : voxels.parts)
     voxels.is_inside.push_back(part > least_part);
   return voxels;
@@ -178,8 +179,8 @@ inline bool is_manifold_at(const unsigned int octants)
   return result[octants];
 }
 
-// Returns the Euler characteristic of the part of the boundary of voxels that is at points of a box: vertices, and edges and
-// faces by their lowest points. Nothing if the boundary is no manifold there.
+// Returns the Euler characteristic of the vertices, edges and faces of the boundary of voxels whose lowest points are in the box
+// from lo to hi. Returns nothing if the boundary is no manifold there.
 inline std::optional<int> characteristic_of_voxels_3(const Voxels_3& voxels, const Eigen::Vector3i& lo, const Eigen::Vector3i& hi)
 {
   int result = 0;
@@ -191,25 +192,26 @@ inline std::optional<int> characteristic_of_voxels_3(const Voxels_3& voxels, con
         if(!is_manifold_at(octants))
           return std::nullopt;
         result += octants != 0 && octants != 255;
-        for(unsigned int a = 0; a < 3; ++a)
+        for(unsigned int axis = 0; axis < 3; ++axis)
         {
-          const unsigned int u = 1u << (a + 1) % 3, v = 1u << (a + 2) % 3, upper = 1u << a;
+          const unsigned int u = 1u << (axis + 1) % 3, v = 1u << (axis + 2) % 3, upper = 1u << axis;
           const unsigned int around = (octants >> upper & 1) + (octants >> (upper | u) & 1) + (octants >> (upper | v) & 1)
                                     + (octants >> (upper | u | v) & 1);
-          result -= around > 0 && around < 4;                                 // the edge along a
-          result += (octants >> (u | v) & 1) != (octants >> (u | v | upper) & 1); // the face normal to a
+          result -= around > 0 && around < 4;                                 // the edge along the axis
+          result += (octants >> (u | v) & 1) != (octants >> (u | v | upper) & 1); // the face normal to the axis
         }
       }
   return result;
 }
 
-// Adds or removes voxels where the boundary is no manifold, those first of which it is least certain that they are inside.
-// Returns whether it is one then.
+// Adds or removes voxels where the boundary is no manifold, those first whose parts inside are closest to the least one. Returns
+// whether the boundary is a manifold then.
 inline bool make_manifold(Voxels_3& voxels, const double least_part)
 {
   constexpr int maximum_number_of_changes = 20000; // a guess
   const auto is_bad = [&](const Eigen::Vector3i& p) { return !is_manifold_at(voxels.octants(p)); };
-  std::deque<Eigen::Vector3i> bad;
+  const auto flip = [&](const std::size_t voxel) { voxels.is_inside[voxel] = !voxels.is_inside[voxel]; };
+  std::deque<Eigen::Vector3i> bad; // points
   const auto collect = [&](const Eigen::Vector3i& lo, const Eigen::Vector3i& hi)
   {
     for(int k = lo[2]; k <= hi[2]; ++k)
@@ -218,7 +220,7 @@ inline bool make_manifold(Voxels_3& voxels, const double least_part)
           if(is_bad(Eigen::Vector3i(i, j, k)))
             bad.emplace_back(i, j, k);
   };
-  const auto number_of_bad_points = [&](const Eigen::Vector3i& v)
+  const auto number_of_bad_corners = [&](const Eigen::Vector3i& v)
   {
     int result = 0;
     for(unsigned int k = 0; k < 8; ++k)
@@ -226,7 +228,7 @@ inline bool make_manifold(Voxels_3& voxels, const double least_part)
     return result;
   };
   collect(Eigen::Vector3i::Zero(), voxels.size);
-  std::vector<int> changes(voxels.is_inside.size(), 0);
+  std::vector<int> number_of_changes(voxels.is_inside.size(), 0); // of each voxel
   for(int i = 0; !bad.empty() && i < maximum_number_of_changes; ++i)
   {
     const Eigen::Vector3i p = bad.front();
@@ -241,12 +243,12 @@ inline bool make_manifold(Voxels_3& voxels, const double least_part)
       if(!voxels.is_in_box(v, 1))
         continue;
       const std::size_t index = voxels.index(v);
-      const int before = number_of_bad_points(v);
-      voxels.is_inside[index] = !voxels.is_inside[index];
-      const int after = number_of_bad_points(v);
-      voxels.is_inside[index] = !voxels.is_inside[index];
-      // weights are guesses: a bad point more is worse than any doubt, and a voxel that changed before is left alone
-      const double cost = after - before + 0.9 * std::abs(voxels.parts[index] - least_part) + 0.7 * changes[index];
+      const int before = number_of_bad_corners(v);
+      flip(index);
+      const int after = number_of_bad_corners(v);
+      flip(index);
+      // weights are guesses: a bad corner more is worse than any doubt, and a voxel that changed before is left alone
+      const double cost = after - before + 0.9 * std::abs(voxels.parts[index] - least_part) + 0.7 * number_of_changes[index];
       if(cost < least_cost)
       {
         least_cost = cost;
@@ -255,15 +257,15 @@ inline bool make_manifold(Voxels_3& voxels, const double least_part)
     }
     if(std::isinf(least_cost))
       return false;
-    voxels.is_inside[best] = !voxels.is_inside[best];
-    ++changes[best];
+    flip(best);
+    ++number_of_changes[best];
     collect(voxels.voxel(best), voxels.voxel(best) + Eigen::Vector3i::Ones());
   }
   return bad.empty();
 }
 
-// Keeps the largest of the parts of a body that share faces, and fills its cavities.
-inline void keep_largest_part(Voxels_3& voxels)
+// Keeps the largest of the parts of a body that are connected by faces of voxels, and fills its cavities.
+inline void keep_largest_part_without_cavities(Voxels_3& voxels)
 {
   for(const bool is_inside : { true, false })
   {
@@ -285,14 +287,14 @@ inline void keep_largest_part(Voxels_3& voxels)
   }
 }
 
-// Makes the boundary of voxels a connected manifold of the given Euler characteristic, if it is nearly one. Returns whether it
-// is one then.
+// Makes the boundary of voxels a connected manifold, if it is nearly one. Returns whether the boundary is one of the given Euler
+// characteristic then.
 inline bool make_surface_of_characteristic(Voxels_3& voxels, const double least_part, const int characteristic)
 {
-  keep_largest_part(voxels);
+  keep_largest_part_without_cavities(voxels);
   if(!make_manifold(voxels, least_part))
     return false;
-  keep_largest_part(voxels);
+  keep_largest_part_without_cavities(voxels);
   return std::find(voxels.is_inside.begin(), voxels.is_inside.end(), true) != voxels.is_inside.end()
          && characteristic_of_voxels_3(voxels, Eigen::Vector3i::Zero(), voxels.size) == characteristic;
 }

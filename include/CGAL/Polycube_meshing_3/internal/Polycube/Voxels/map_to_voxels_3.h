@@ -26,9 +26,9 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns coordinates of charts that keep the order of the planes of the voxels along each axis and are at least a gap apart. The
-// polycube stays embedded, because monotone functions of the coordinates map space. Among such coordinates, those are returned
-// that are closest to the mean coordinates of the planes on the surface, by least squares.
+// Returns coordinates of charts that keep the order of the planes of the voxels along each axis and are at least a gap apart.
+// The polycube stays embedded, because monotone functions of the coordinates map space. Among such coordinates, the returned ones
+// are closest to the mean coordinates of the planes on the surface, by least squares.
 inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets, const std::vector<std::size_t>& chart_of_facet,
                                                          const std::vector<std::size_t>& label_of_chart,
                                                          const std::vector<int>& plane_of_chart, const double gap,
@@ -38,7 +38,7 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
   for(int axis = 0; axis < 3; ++axis)
   {
     const auto is_along_axis = [&](const std::size_t c) { return axis_of_direction(label_of_chart[c]) == axis; };
-    std::map<int, std::size_t> number_of_plane;
+    std::map<int, std::size_t> number_of_plane; // among those with a chart, in ascending order
     for(std::size_t c = 0; c < label_of_chart.size(); ++c)
       if(is_along_axis(c))
         number_of_plane.emplace(plane_of_chart[c], 0);
@@ -64,8 +64,8 @@ inline std::vector<double> coordinates_of_voxel_charts_3(const Facets_3& facets,
   return result;
 }
 
-// Places the faces of voxels on a surface, and simplifies the voxels. Moves may change corners at first, as those that do not
-// leave more charts; if corners of the polycube are not those of its charts then, which no map has, all moves keep them.
+// Places the faces of voxels on a surface, simplifies the voxels, and returns their polycube. Moves may change corners at first,
+// as moves that keep corners leave more charts. If the surface has no map to the polycube then, all moves keep corners.
 inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Unit_surface_3& surface, const Budget& budget)
 {
   Voxels_3 voxels = given;
@@ -89,14 +89,15 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Un
   std::vector<int> planes;
   for(const std::size_t face : face_of_piece)
   {
-    labels.push_back(face % 6);
-    planes.push_back(voxels.voxel(face / 6)[axis_of_direction(face % 6)] + (sign_of_direction(face % 6) > 0));
+    const std::size_t label = direction_of_face(face);
+    labels.push_back(label);
+    planes.push_back(voxels.voxel(voxel_of_face(face))[axis_of_direction(label)] + (sign_of_direction(label) > 0));
   }
   return Polycube_of_voxels_3(voxels.spacing, faces, labels, planes);
 }
 
-// Maps a surface with the charts that are drawn on it after edges have been split. Relaxes the charts first, and splits edges
-// between their borders.
+// Maps a surface with the charts of a polycube that are drawn on it. Relaxes the charts first, and splits edges that lead through
+// charts between their borders.
 inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn, const Budget& budget)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
@@ -112,20 +113,20 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
                                     polycube.plane_of_chart, gap * polycube.size_of_voxels,
                                     { -surface.box.center() / size, surface.spacing / size });
   Polycube_map_3 map(surface, labels);
-  std::vector<double> of_charts(map.charts().number_of_charts());
-  if(of_charts.size() != coordinates.size())
+  std::vector<double> coordinates_in_map(map.charts().number_of_charts());
+  if(coordinates_in_map.size() != coordinates.size())
     return {};
   for(std::size_t f = 0; f < labels.size(); ++f)
-    of_charts[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
-  if(map.start_at(of_charts, budget) != OK)
+    coordinates_in_map[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
+  if(map.start_at(coordinates_in_map, budget) != OK)
     return {};
   Surface_map_3 result = finished_map_3(map, budget);
   result.splits = std::move(drawn.surface.splits);
   return result;
 }
 
-// Maps a surface to a polycube of voxels. If the charts cannot be drawn or mapped, it gets shorter edges near them, and the
-// shortest ones only if they are allowed: they multiply its cells.
+// Maps a surface to a polycube of voxels. If the charts cannot be drawn or mapped, edges near their borders become shorter. The
+// shortest edges, which multiply the cells of the body, are made only if they are allowed.
 inline Surface_map_3 map_to_polycube_of_voxels_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface,
                                                  const bool may_have_shortest_edges, const Budget& budget)
 {
@@ -141,12 +142,12 @@ inline Surface_map_3 map_to_polycube_of_voxels_3(const Polycube_of_voxels_3& pol
   return {};
 }
 
-// Maps a surface to the cheapest of some polycubes of voxels: finer and finer ones, at several places.
+// Maps a surface to the cheapest of some polycubes of voxels. The voxels are finer and finer, each size at several places.
 inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget& budget)
 {
-  constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // with maps; guesses, as all these numbers
+  constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // of sizes with maps; guesses, as all these numbers
   constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
-  constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 };
+  constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 }; // of voxels inside, for each place of the grid
   const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
   std::mt19937 random; // of a fixed seed
   const auto shift = [&]() { return static_cast<double>(random()) / 4294967296. - 0.5; }; // by 2^32, as there are as many values
