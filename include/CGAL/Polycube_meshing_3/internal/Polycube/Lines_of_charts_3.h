@@ -47,11 +47,12 @@ public:
     choose_values();
   }
 
+  // Returns whether no line has a value.
   bool are_empty() const
   { return std::none_of(m_planes.begin(), m_planes.end(), [](const Plane& plane) { return plane.value.has_value(); }); }
 
-  // Gives up the shortest lines in the charts of faces that are flipped, or beside them: of those that are at such a face, if
-  // there are any. Returns whether there were lines.
+  // Gives up the shortest plane of lines at a flipped face. If there is none, gives up the shortest one with lines in a chart of a
+  // flipped face or beside it. Returns whether there was one.
   bool give_up(const std::vector<Boundary_mesh_3::Face_index>& flipped_faces)
   {
     std::vector<bool> is_chart_bad(m_charts.number_of_charts(), false), is_vertex_bad(m_images.size(), false);
@@ -86,12 +87,12 @@ private:
   {
     std::vector<Line_of_chart_3> lines;
     int axis;
-    double mean, length;
+    double mean, length; // of the images of the lines: coordinate along the axis, sum of lengths
     std::optional<double> value;
   };
 
-  // Position of an edge of the polycube, a line, or an end of a line, in a chart or on an edge of the polycube: its old and its
-  // new coordinate along an axis, and where it extends along the other one. All ends on an edge are compared.
+  // Position of an edge of the polycube or a line in a chart: old and new coordinate along an axis, and the extent along the other
+  // one. Ends of edges and lines on an edge of the polycube have positions, too, with equal extents: all of them are compared.
   struct Position
   {
     int axis;
@@ -99,6 +100,7 @@ private:
     double low = 0, high = 1;
   };
 
+  // Gives up the shortest plane with a value and a bad line. Returns whether there was one.
   template <typename Predicate>
   bool give_up_shortest(const Predicate& is_bad)
   {
@@ -110,7 +112,7 @@ private:
     return true;
   }
 
-  // Adds the positions of edges in their charts, and of their ends on them, which keep their coordinates.
+  // Adds the positions of edges of the polycube in their charts, and of the ends on the edges. Their coordinates stay.
   void add_edges_of_polycube()
   {
     m_chain_of_vertex.assign(m_images.size(), -1);
@@ -128,14 +130,14 @@ private:
           m_is_bound[v][axis] = true;
       }
       for(const Vector_3& p : { first, last })
-        m_positions[m_charts.number_of_charts() + i].push_back({ chain.axis, p[chain.axis], p[chain.axis] });
+        m_positions[index_of_chain(i)].push_back({ chain.axis, p[chain.axis], p[chain.axis] });
       for(std::size_t k = 1; k + 1 < path.size(); ++k)
         m_chain_of_vertex[path[k]] = static_cast<int>(i);
     }
   }
 
-  // Makes planes of lines that share a vertex and the axis across, the longest ones first. A line that would join two that are
-  // side by side is left out.
+  // Makes planes of lines that share a vertex and the axis across, the longest ones first. A line that would join lines side by
+  // side is left out.
   void join_lines(const std::vector<Line_of_chart_3>& lines)
   {
     for(const Line_of_chart_3& line : lines)
@@ -148,7 +150,7 @@ private:
       std::vector<Line_of_chart_3> together = next.lines;
       std::vector<Plane> others;
       for(const Plane& plane : joined)
-        if(are_joined(plane, next))
+        if(share_axis_and_vertex(plane, next))
           together.insert(together.end(), plane.lines.begin(), plane.lines.end());
         else
           others.push_back(plane);
@@ -161,7 +163,7 @@ private:
     std::stable_sort(m_planes.begin(), m_planes.end(), is_longer);
   }
 
-  static bool are_joined(const Plane& a, const Plane& b)
+  static bool share_axis_and_vertex(const Plane& a, const Plane& b)
   {
     std::set<Vertex> vertices;
     for(const Line_of_chart_3& line : a.lines)
@@ -185,6 +187,7 @@ private:
     return false;
   }
 
+  // Returns the plane of lines with one axis, without a value.
   Plane plane_of(const std::vector<Line_of_chart_3>& lines) const
   {
     Plane plane = { lines, lines.front().axis, 0, 0, std::nullopt };
@@ -199,7 +202,7 @@ private:
     return plane;
   }
 
-  // Chooses values of planes, but not of those shorter than the spacing: edges of hexahedra that are as long gain nothing by them.
+  // Chooses values of planes, but not of those shorter than the spacing, as edges of hexahedra are as long.
   void choose_values()
   {
     for(Plane& plane : m_planes)
@@ -209,8 +212,7 @@ private:
       for(const double value : values(plane))
       {
         const auto positions = positions_of(plane, value);
-        const auto keeps = [this](const auto& position) { return keeps_order(position.first, position.second); };
-        if(!std::all_of(positions.begin(), positions.end(), keeps))
+        if(!std::all_of(positions.begin(), positions.end(), [this](const auto& p) { return keeps_order(p.first, p.second); }))
           continue;
         plane.value = value;
         for(const auto& [index, position] : positions)
@@ -220,8 +222,8 @@ private:
     }
   }
 
-  // Returns the values that a plane may have, the best one first: only that of edges of the polycube across which it ends, if
-  // they have one value.
+  // Returns the values that a plane may have, the best one first. If lines end at edges of the polycube in one plane across the
+  // axis, the only value is that of this plane; there is none if there are several such planes.
   std::vector<double> values(const Plane& plane) const
   {
     std::set<double> bound;
@@ -238,11 +240,11 @@ private:
     double handicap = 0;
     for(const double part : { 1., 0.5, smallest_part_of_spacing })
     {
-      const double distance = part * m_grid.spacing, k = (plane.mean - m_grid.origin[plane.axis]) / distance;
-      const double nearest = std::round(k);
-      for(const double n : { nearest, nearest < k ? nearest + 1 : nearest - 1 })
+      const double distance = part * m_grid.spacing, multiple = (plane.mean - m_grid.origin[plane.axis]) / distance;
+      const double nearest = std::round(multiple);
+      for(const double candidate : { nearest, nearest < multiple ? nearest + 1 : nearest - 1 })
       {
-        const double value = m_grid.origin[plane.axis] + n * distance;
+        const double value = m_grid.origin[plane.axis] + candidate * distance;
         by_distance.emplace(std::abs(value - plane.mean) + handicap, value);
       }
       handicap += least_gain * m_grid.spacing;
@@ -253,7 +255,7 @@ private:
     return result;
   }
 
-  // Returns the lines of a plane in their charts, and their ends on edges of the polycube along the axis across.
+  // Returns the positions, each with its index, of lines of a plane in their charts and of their ends on edges along the axis.
   std::vector<std::pair<std::size_t, Position> > positions_of(const Plane& plane, const double value) const
   {
     std::vector<std::pair<std::size_t, Position> > result;
@@ -265,13 +267,15 @@ private:
       result.push_back({ line.chart, { plane.axis, plane_of({ line }).mean, value, low, high } });
       for(const Vertex v : line.vertices)
         if(const int chain = m_chain_of_vertex[v]; chain >= 0 && m_charts.chains()[chain].axis == plane.axis)
-          result.push_back({ m_charts.number_of_charts() + chain, { plane.axis, m_images[v][plane.axis], value } });
+          result.push_back({ index_of_chain(chain), { plane.axis, m_images[v][plane.axis], value } });
     }
     return result;
   }
 
-  // Returns whether a position in a chart, or on an edge of the polycube, keeps its order with all others there. Ends
-  // of lines at one vertex have one position.
+  // Returns the index of the positions on a chain, behind those in the charts.
+  std::size_t index_of_chain(const std::size_t chain) const { return m_charts.number_of_charts() + chain; }
+
+  // Returns whether a position keeps its order with those of other planes and of edges of the same index.
   bool keeps_order(const std::size_t index, const Position& position) const
   {
     return std::all_of(m_positions[index].begin(), m_positions[index].end(), [&](const Position& other)
@@ -287,7 +291,7 @@ private:
   const std::vector<Vector_3> m_images;
   Held_coordinates m_is_bound;        // at edges of the polycube: coordinates that are those of faces
   std::vector<int> m_chain_of_vertex; // -1 for vertices of none, and corners
-  std::vector<std::vector<Position> > m_positions; // in each chart, and on each edge of the polycube
+  std::vector<std::vector<Position> > m_positions; // in each chart, and behind them on each chain
   std::vector<Plane> m_planes;
 };
 

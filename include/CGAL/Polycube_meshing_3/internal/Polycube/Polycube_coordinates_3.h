@@ -32,17 +32,17 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 using Boundary_polygon_2 = std::vector<Boundary_point_2>;
 
-// Returns whether a polygon leads counterclockwise around a face, and not around a hole, even where its edges intersect: the
-// function of CGAL asks for simple polygons.
+// Returns whether an axis-parallel polygon turns left more often than right, as around a face and not around a hole. Its edges may
+// intersect, while the function of CGAL asks for simple polygons.
 inline bool is_outer(const Boundary_polygon_2& p)
 {
-  int turns = 0;
+  int left_turns = 0; // less those to the right
   for(std::size_t i = 0; i < p.size(); ++i)
-    turns += CGAL::orientation(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]);
-  return turns > 0;
+    left_turns += CGAL::orientation(p[i], p[(i + 1) % p.size()], p[(i + 2) % p.size()]);
+  return left_turns > 0;
 }
 
-// Returns whether disjoint polygons are one and its holes: holes lead clockwise, are inside of it, and outside of each other.
+// Returns whether disjoint polygons are an outer one and its holes, which lead clockwise inside of it and outside of each other.
 inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
 {
   const auto is_inside = [](const Boundary_polygon_2& inner, const Boundary_polygon_2& outer)
@@ -58,9 +58,9 @@ inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
 
 // Finds the coordinates of the planes of a polycube, along their axes, that minimize
 //   sum over planes p of area(p) (x(p) - wanted coordinate of p)^2
-// such that each edge of the polycube has at least a part of the length of its chain. The axes are independent of each other,
-// and small quadratic programs. Edges of a face that intersect then get the order that their chains have on the surface, too,
-// if the other orders allow it.
+// such that each edge of the polycube has at least a part of the length of its chain. Each axis has a small quadratic program of
+// its own. Edges of a face that intersect then get the order that their chains have on the surface, too, if the other orders
+// allow this.
 class Polycube_coordinates_3
 {
 public:
@@ -70,7 +70,7 @@ public:
       m_coordinate(planes.size()), m_borders(charts.borders()), m_order(planes.size())
   {}
 
-  // Returns whether there are coordinates.
+  // Finds the coordinates that are closest to the wanted ones of the planes. Returns whether there are any.
   bool run(const std::vector<double>& wanted)
   {
     for(const Polycube_chain_3& chain : m_charts.chains())
@@ -83,9 +83,10 @@ public:
           return false;
     while(enclose_holes() || separate_intersecting_edges());
     join_equal_coordinates();
-    return m_are_separable && are_faces_whole();
+    return m_is_separable && are_faces_polygons_with_holes();
   }
 
+  // Returns the coordinate of the plane of each chart.
   std::vector<double> of_charts() const
   {
     std::vector<double> result;
@@ -94,7 +95,7 @@ public:
     return result;
   }
 
-  // Returns the planes that the coordinates are on.
+  // Returns the grid that the coordinates are on, which run() may have moved.
   const Plane_grid_3& grid() const { return m_grid; }
 
 private:
@@ -105,7 +106,7 @@ private:
   {
     int axis;
     std::array<std::size_t, 2> charts;
-    std::array<std::size_t, 3> lowest, highest; // planes at its ends, by axis
+    std::array<std::size_t, 3> lowest, highest; // planes at the ends that are lowest and highest along the edge, by axis
     Box_3 box;
     double length;
 
@@ -159,7 +160,7 @@ private:
   // slivers.
   void join_equal_coordinates()
   {
-    constexpr double rounding = 1e-12;              // the longest side of the body is 1
+    constexpr double rounding = 1e-12;               // the longest side of the body is 1
     std::vector<std::size_t> order(m_planes.size()); // of planes, by axis and coordinate
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [this](const std::size_t p, const std::size_t q)
@@ -172,6 +173,7 @@ private:
         m_coordinate[order[i]] = previous;
   }
 
+  // Adds an order of two planes. Their axis must be solved again.
   void add_order(const Order_of_coordinates& order)
   {
     m_orders.push_back(order);
@@ -180,22 +182,23 @@ private:
   }
 
   // Adds orders that keep holes of faces between the lowest and the highest edges of the outer polygons. Returns whether there are
-  // any new ones.
+  // any new ones, all of them possible.
   bool enclose_holes()
   {
     const std::size_t n = m_orders.size();
     for(std::size_t c = 0; c < m_borders.size(); ++c)
     {
       const std::vector<Border>& borders = m_borders[c];
-      const auto outer = borders.size() < 2 ? borders.end()
-        : std::find_if(borders.begin(), borders.end(),
-                       [&](const Border& border) { return is_outer(image(border, m_charts.plane_axes(c))); });
+      if(borders.size() < 2)
+        continue;
+      const auto outer = std::find_if(borders.begin(), borders.end(), [&](const Border& border)
+                                      { return is_outer(image(border, m_charts.plane_axes(c))); });
       for(auto hole = borders.begin(); hole != borders.end() && outer != borders.end(); ++hole)
         for(const int axis : m_charts.plane_axes(c))
           if(hole != outer)
             enclose(extent(*hole, axis), extent(*outer, axis), c);
     }
-    return m_are_separable && m_orders.size() > n;
+    return m_is_separable && m_orders.size() > n;
   }
 
   using Extent = std::array<std::size_t, 2>; // planes with the lowest and the highest coordinate
@@ -216,29 +219,31 @@ private:
     return result;
   }
 
+  // Adds the orders that the extents of a hole and of the outer border do not have yet.
   void enclose(const Extent& hole, const Extent& outer, const std::size_t chart)
   {
     for(const auto& [low, high] : { std::pair(outer[0], hole[0]), std::pair(hole[1], outer[1]) })
-      if(m_are_separable && !(m_coordinate[low] < m_coordinate[high]))
+      if(m_is_separable && !(m_coordinate[low] < m_coordinate[high]))
       {
-        m_are_separable = m_order.may_precede(low, high);
+        m_is_separable = m_order.may_precede(low, high);
         add_order({ low, high, smallest_part * length_of_shortest_chain(chart) });
       }
   }
 
-  // Adds orders for edges of a face that intersect. Returns whether there are any new ones.
+  // Adds orders for edges of a face that intersect. Returns whether there are any new ones, all of them possible.
   bool separate_intersecting_edges()
   {
     const std::size_t n = m_orders.size();
     for(std::size_t i = 0; i < m_edges.size(); ++i)
-      for(std::size_t k = 0; k < i && m_are_separable; ++k)
+      for(std::size_t k = 0; k < i && m_is_separable; ++k)
         for(const std::size_t c : m_edges[i].charts)
-          if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && intersect(m_edges[i], m_edges[k]))
+          if((c == m_edges[k].charts[0] || c == m_edges[k].charts[1]) && do_intersect(m_edges[i], m_edges[k]))
             separate(m_edges[i], m_edges[k], c);
-    return m_are_separable && m_orders.size() > n;
+    return m_is_separable && m_orders.size() > n;
   }
 
-  bool intersect(const Edge& a, const Edge& b) const
+  // Returns whether the images of two edges without a common corner intersect.
+  bool do_intersect(const Edge& a, const Edge& b) const
   {
     for(int axis = 0; axis < 3; ++axis)
       if(m_coordinate[a.highest[axis]] < m_coordinate[b.lowest[axis]]
@@ -247,7 +252,7 @@ private:
     return !a.has_corner_with(b);
   }
 
-  // Orders two edges along the axis of the face along which their chains are farthest apart, among the orders still possible.
+  // Adds the order of two edges of a face that is still possible and in which the gap between their chains is largest.
   void separate(const Edge& a, const Edge& b, const std::size_t chart)
   {
     Order_of_coordinates order = {};
@@ -260,13 +265,13 @@ private:
           largest_gap = gap;
           order = { low.highest[axis], high.lowest[axis], smallest_part * (std::min)(a.length, b.length) };
         }
-    m_are_separable = std::isfinite(largest_gap);
-    if(m_are_separable)
+    m_is_separable = std::isfinite(largest_gap);
+    if(m_is_separable)
       add_order(order);
   }
 
   // Returns whether each face has one outer polygon, with its other polygons inside.
-  bool are_faces_whole() const
+  bool are_faces_polygons_with_holes() const
   {
     for(std::size_t c = 0; c < m_borders.size(); ++c)
     {
@@ -279,6 +284,7 @@ private:
     return true;
   }
 
+  // Returns the polygon on the polycube that a border is mapped to, in the plane of two axes.
   Boundary_polygon_2 image(const Border& border, const std::array<int, 2>& axes) const
   {
     Boundary_polygon_2 result;
@@ -298,12 +304,12 @@ private:
   Plane_grid_3 m_grid;
   const Budget& m_budget;
   std::vector<double> m_coordinate; // by plane
-  std::array<bool, 3> m_is_solved = {}; // the orders along each axis
+  std::array<bool, 3> m_is_solved = {}; // by axis: do the coordinates fulfil all orders?
   const std::vector<std::vector<Border> > m_borders; // of the charts
   std::vector<Edge> m_edges;
   std::vector<Order_of_coordinates> m_orders;
-  Order_of_elements m_order;
-  bool m_are_separable = true;
+  Order_of_elements m_order;  // of the planes
+  bool m_is_separable = true; // false once planes cannot get an order that they need
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -58,7 +58,8 @@ public:
     return result;
   }
 
-  // Maps the charts harmonically to faces with the coordinates along their axes.
+  // Maps the charts harmonically to faces with the coordinates of the charts along their axes. Fails if edges of the polycube
+  // leave no room for some faces, which flipped_faces() returns then.
   Error_code start_at(const std::vector<double>& coordinates, const Budget& budget)
   {
     for(const auto v : m_charts.corners())
@@ -74,7 +75,8 @@ public:
     return OK;
   }
 
-  // Lowers the distortion, and checks the map. Sharp edges inside charts become lines where that leaves room for all faces.
+  // Lowers the distortion, brings the images back to the size and place of the body, and checks the map. Sharp edges inside charts
+  // become lines where that leaves room for all faces.
   Error_code finish(const Budget& budget)
   {
     relax(budget);
@@ -83,7 +85,7 @@ public:
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
     for(Vector_3& image : m_images)
-      image = in_space(image);
+      image = at_size_of_body(image);
     if(m_surface.spacing > 0)
       move_to_multiples();
     const auto faces = m_mesh.faces();
@@ -105,7 +107,7 @@ public:
   double distortion() const { return distortion_3(m_mesh, m_images); }
 
 private:
-  // Finds the polycube that is closest to coordinates of its planes.
+  // Finds the polycube that is closest to coordinates of its planes, and maps the charts harmonically.
   Error_code start_close_to(const std::vector<double>& coordinates_of_planes, const Budget& budget)
   {
     Polycube_coordinates_3 coordinates(m_mesh, m_charts, m_planes, m_grid, budget);
@@ -150,7 +152,7 @@ private:
         m_flipped_faces.push_back(f);
   }
 
-  // Makes lines of sharp edges inside charts as far as that leaves room for all faces.
+  // Makes lines of sharp edges inside charts as far as that leaves room for all faces, and no lines if none do.
   void straighten(const Budget& budget)
   {
     const std::vector<Vector_3> images = m_images;
@@ -184,7 +186,7 @@ private:
     return result;
   }
 
-  // Maps the charts with lines, from the images of corners.
+  // Maps the charts harmonically with lines, from images without them.
   void map_with(const Lines_of_charts_3& lines, const std::vector<Vector_3>& images, const Budget& budget)
   {
     m_images = images;
@@ -208,6 +210,7 @@ private:
     }
   }
 
+  // Maps the charts harmonically between their held vertices, or restores the maps made for the same held vertices.
   void map_charts(const Budget& budget)
   {
     std::vector<std::vector<Face> > faces(m_charts.number_of_charts());
@@ -239,7 +242,8 @@ private:
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }
 
-  Vector_3 in_space(const Vector_3& p) const
+  // Returns a point of the polycube, whose body has the longest side 1 and the center 0, in the coordinates of the given body.
+  Vector_3 at_size_of_body(const Vector_3& p) const
   { return m_surface.box.center() + m_surface.box.diagonal().maxCoeff() * p; }
 
   // Makes the coordinates of faces multiples of the spacing, and those of lines multiples of a part of it.
@@ -248,8 +252,8 @@ private:
     const double spacing = m_surface.spacing;
     if(m_grid.may_move)
     {
-      const Vector_3 origin = in_space(m_grid.origin);
-      for(Vector_3& image : m_images)
+      const Vector_3 origin = at_size_of_body(m_grid.origin);
+      for(Vector_3& image : m_images) // by what brings the origin to a multiple
         image += origin.unaryExpr([&](const double x) { return spacing * std::round(x / spacing) - x; });
     }
     const auto round = [](double& x, const double unit) { x = unit * std::round(x / unit); };
@@ -274,7 +278,8 @@ private:
   std::vector<Face> m_flipped_faces;
 };
 
-// Finishes the map to the polycube with the lengths of the surface; the given map, if that one is worse or cannot be finished.
+// Returns the finished map to the polycube with the lengths of the surface. If that one is worse or cannot be finished, finishes
+// the given map.
 inline Surface_map_3 finished_map_3(Polycube_map_3& map, const Budget& budget)
 {
   if(std::optional<Polycube_map_3> other = map.with_lengths_of_surface(budget); other && other->finish(budget) == OK)

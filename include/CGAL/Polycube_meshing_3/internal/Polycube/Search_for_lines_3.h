@@ -21,20 +21,19 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Part of a curve of sharp edges in a chart, with the axis across: that of the coordinate that is to be constant.
+// Part of a curve of sharp edges in a chart. Its image is to have one coordinate along the axis across.
 struct Line_of_chart_3
 {
   std::vector<Boundary_mesh_3::Vertex_index> vertices;
   std::size_t chart;
-  int axis;
+  int axis; // across
 };
 
 // Returns the axis in the plane of a chart that is not the given one.
 inline int other_axis(const Polycube_charts_3& charts, const std::size_t chart, const int axis)
 { return 3 - charts.axis(chart) - axis; }
 
-// Search for lines: parts of curves of sharp edges whose images, of a map without lines, lead mostly along one axis and not far
-// across.
+// Search for lines: parts of curves of sharp edges whose images under a map without lines lead mostly along one axis.
 class Search_for_lines_3
 {
 public:
@@ -51,33 +50,33 @@ public:
   const std::vector<Line_of_chart_3>& lines() const { return m_lines; }
 
 private:
-  bool separates(const Halfedge h) const { return m_charts.chart(h) != m_charts.chart(m_mesh.opposite(h)); }
-  bool is_inside(const Halfedge h) const { return m_is_sharp[m_mesh.edge(h)] && !separates(h); }
-  Vector_3 way(const Halfedge h) const { return m_images[m_mesh.target(h)] - m_images[m_mesh.source(h)]; }
+  bool is_sharp_in_chart(const Halfedge h) const { return m_is_sharp[m_mesh.edge(h)] && !m_charts.separates(h); }
+  Vector_3 image_of_edge(const Halfedge h) const { return m_images[m_mesh.target(h)] - m_images[m_mesh.source(h)]; }
 
   // Returns the axis that the image of an edge leads along.
-  int axis_along(const Halfedge h) const { return way(h).cwiseAbs().largest_index(); }
+  int axis_along(const Halfedge h) const { return image_of_edge(h).cwiseAbs().largest_index(); }
 
-  // Returns the sharp edges of the chart in which an edge goes on.
+  // Returns the sharp edges of the chart that begin where an edge ends, without a sharp turn.
   std::vector<Halfedge> continuations(const Halfedge h) const
   {
     const auto edge = [this](const Halfedge k) { return edge_vector(m_mesh, k); };
     std::vector<Halfedge> result;
     for(const Halfedge k : CGAL::halfedges_around_source(m_mesh.target(h), m_mesh))
-      if(is_inside(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
+      if(is_sharp_in_chart(k) && k != m_mesh.opposite(h) && m_charts.chart(k) == m_charts.chart(h)
          && !turns_sharply(edge(h), edge(k)))
         result.push_back(k);
     return result;
   }
 
-  // Follows the curves of sharp edges, and divides those whose images are not straight where these turn to another axis.
+  // Follows the curves of sharp edges. Divides a curve that is no line where its image turns to another axis.
   void find_lines()
   {
     std::vector<bool> is_used(m_mesh.number_of_edges(), false);
     for(const auto e : m_mesh.edges())
-      if(const Halfedge h = m_mesh.halfedge(e); is_inside(h) && !is_used[e])
+      if(const Halfedge h = m_mesh.halfedge(e); is_sharp_in_chart(h) && !is_used[e])
       {
-        std::vector<Halfedge> back = follow(m_mesh.opposite(h), is_used), curve;
+        const std::vector<Halfedge> back = follow(m_mesh.opposite(h), is_used);
+        std::vector<Halfedge> curve;
         for(auto k = back.rbegin(); k != back.rend(); ++k)
           curve.push_back(m_mesh.opposite(*k));
         const std::vector<Halfedge> ahead = follow(h, is_used);
@@ -92,7 +91,7 @@ private:
       }
   }
 
-  // Returns an edge and those that continue its curve: a fork ends it from all sides, wherever it begins.
+  // Returns an edge and those that continue its curve up to a fork or to an edge in use, and marks them as used.
   std::vector<Halfedge> follow(const Halfedge h, std::vector<bool>& is_used) const
   {
     std::vector<Halfedge> result(1, h);
@@ -116,7 +115,7 @@ private:
     for(auto h = begin; h != end; ++h)
     {
       line.vertices.push_back(m_mesh.target(*h));
-      length += way(*h).norm();
+      length += image_of_edge(*h).norm();
     }
     Vector_3 difference = m_images[line.vertices.back()] - m_images[line.vertices.front()];
     difference[m_charts.axis(chart)] = 0;

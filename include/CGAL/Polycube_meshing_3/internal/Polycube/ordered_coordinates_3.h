@@ -33,15 +33,15 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Number of quadratic programs, of which the solver has no quotients: those of rational numbers take longer by far.
+// Number type of quadratic programs. The solver does not need quotients, and exact rational numbers take longer by far.
 #ifdef CGAL_USE_GMP
 using Program_number = Gmpzf;
 #else
 using Program_number = MP_Float;
 #endif
 
-// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. They may be moved if they are
-// to be as close to given faces as planes so far apart can be.
+// Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. If the grid may move, its origin
+// is changed such that the planes are as close to given faces as possible.
 struct Plane_grid_3
 {
   Vector_3 origin = Vector_3::Zero();
@@ -49,7 +49,7 @@ struct Plane_grid_3
   bool may_move = false;
 };
 
-// Order of elements: which come before which, or before themselves if there are cycles.
+// Transitive order of elements. Elements of a cycle precede themselves.
 class Order_of_elements
 {
 public:
@@ -92,14 +92,13 @@ double nearest_integer(const NT& x)
   return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
 }
 
-// Returns the shift of the integers with the least sum of weight(i) (x(i) - nearest shifted integer)^2, relative to the
-// weights. Of two that are about as good, the one is taken with which these integers extend farthest, whichever way the axis
-// points.
+// Returns the shift, between -1/2 and 1/2, of the integers with the least weighted mean of (x(i) - nearest shifted integer)^2. Of
+// shifts that are about as good, the one whose nearest integers extend farthest is taken, whichever way the axis points.
 inline double closest_shift_of_integers(const std::vector<double>& weights, const std::vector<double>& x)
 {
-  constexpr double worth_of_extent = 0.001; // a guess; far above rounding, a sum that no one would notice
+  constexpr double worth_of_extent = 0.001; // a guess; far above rounding, but a negligible mean
   double result = 0, least = (std::numeric_limits<double>::infinity)();
-  for(const double first : x) // where integers may start: each number belongs to the next smaller one, and the mean rest is best
+  for(const double first : x) // counts as an integer: x(i) belongs to the next one below, and the mean distance is the best shift
   {
     double weight = 0, sum = 0, sum_of_squares = 0, lowest = 0, highest = 0;
     for(std::size_t i = 0; i < x.size(); ++i)
@@ -150,12 +149,12 @@ struct Ordered_coordinates
 };
 
 // Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
-// exact quadratic programming; none if they contradict each other.
+// exact quadratic programming; none if the orders contradict each other.
 //
-// The program is that of the way from coordinates in these orders, as the solver takes far longer if it must find such ones first.
+// The unknowns are differences from coordinates in these orders, as the solver takes far longer if it must find such ones first.
 //
-// Rounds distances up to multiples of the spacing where there are planes of a grid, and the solution to the nearest planes, which
-// are moved before if they may. As floor(x + 1/2) is monotone and commutes with adding integers, that keeps all distances.
+// With a spacing, distances are rounded up to multiples of it, and the solution is rounded to the planes of the grid, which is
+// moved before if it may. As floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
 inline std::optional<Ordered_coordinates>
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
                       const std::vector<Order_of_coordinates>& orders, const Plane_grid_3& grid, const int axis)
