@@ -33,10 +33,11 @@ TOLERANCE = 0.01  # of scaled Jacobians, and of distances from the boundary in s
 
 # Strategies, the file each one is in, a text that is there once, and the text with the switch.
 STRATEGIES = {
-    "bounding box": (POLYCUBE, "map_to_polycube_3_impl.h", '"bounding box", kind == OK', '"bounding box", kind == OK && is_on()'),
+    "bounding box": (POLYCUBE, "map_to_polycube_3_impl.h", '"bounding box", is_sphere', '"bounding box", is_sphere && is_on()'),
     "voxels": (POLYCUBE, "map_to_polycube_3_impl.h", '"voxels", is_connected && may_split',
                '"voxels", is_connected && may_split && is_on()'),
-    "slopes": (POLYCUBE, "Search_for_polycube_3.h", "    int in_vain = 0;\n", "    int in_vain = is_on() ? 0 : patience;\n"),
+    "slopes": (POLYCUBE, "Search_for_polycube_3.h", "    int failures = 0;\n",
+               "    int failures = is_on() ? 0 : maximum_number_of_failures;\n"),
     "giving faces away": (POLYCUBE, "Search_for_polycube_3.h", "= give_away_faces(m_mesh, map.flipped_faces(), costs, labels)",
                           "= (!map.flipped_faces().empty() && is_on() && give_away_faces(m_mesh, map.flipped_faces(), costs, "
                           "labels))"),

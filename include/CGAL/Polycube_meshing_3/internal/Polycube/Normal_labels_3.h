@@ -98,7 +98,7 @@ public:
     return result;
   }
 
-  // Makes the faces of a slope prefer the second closest direction.
+  // Makes labels of the closest directions of a slope expensive, such that its faces prefer their second closest ones.
   void prefer_second_direction(const Slope& slope)
   {
     for(const Face f : slope.faces)
@@ -149,10 +149,7 @@ public:
       for(std::size_t label = 0; label < 6; ++label)
         if(label != label_of_chart[c])
           result.push_back({ c, label, cost_of_chart[c][label] - cost_of_chart[c][label_of_chart[c]] });
-    std::stable_sort(result.begin(), result.end(), [](const Chart_relabelling_3& a, const Chart_relabelling_3& b)
-    {
-      return a.cost < b.cost;
-    });
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
     return result;
   }
 

@@ -24,24 +24,24 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Order of the points and facets of a surface that depends neither on their numbers nor on the position of the surface: by the
-// distances of the points from the center of the surface. Greedy searches that visit facets one after the other then find the
+// Order of the points and facets of a surface by the distances of the points from the center of the surface. The order depends
+// neither on their numbers nor on the position of the surface. Greedy searches that visit facets one after the other then find the
 // same however the surface is numbered and turned, up to points that rounding or a symmetry makes equally distant.
 class Order_of_surface_3
 {
 public:
   explicit Order_of_surface_3(const Numbered_surface_3& surface)
-    : m_surface(surface), m_points(surface.points.size()), m_numbers(surface.points.size()), m_facets(surface.facets.size())
+    : m_surface(surface), m_points(surface.points.size()), m_places(surface.points.size()), m_facets(surface.facets.size())
   {
     const std::vector<double> distance = squared_distances();
     std::iota(m_points.begin(), m_points.end(), 0);
     std::stable_sort(m_points.begin(), m_points.end(),
                      [&](const std::size_t v, const std::size_t w) { return distance[v] < distance[w]; });
     for(std::size_t i = 0; i < m_points.size(); ++i)
-      m_numbers[m_points[i]] = i;
+      m_places[m_points[i]] = i;
     std::vector<std::array<std::size_t, 3> > keys;
     for(const std::array<std::size_t, 3>& facet : surface.facets)
-      keys.push_back(sorted(numbered(facet)));
+      keys.push_back(sorted(places_of(facet)));
     std::iota(m_facets.begin(), m_facets.end(), 0);
     std::sort(m_facets.begin(), m_facets.end(), [&](const std::size_t f, const std::size_t g) { return keys[f] < keys[g]; });
   }
@@ -58,17 +58,17 @@ public:
     }
     for(const std::size_t f : m_facets)
     {
-      std::array<std::size_t, 3> facet = numbered(m_surface.facets[f]);
+      std::array<std::size_t, 3> facet = places_of(m_surface.facets[f]);
       std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
       result.facets.push_back(facet);
     }
     for(const std::array<std::size_t, 2>& edge : m_surface.sharp_edges)
-      result.sharp_edges.push_back(sorted(numbered(edge)));
+      result.sharp_edges.push_back(sorted(places_of(edge)));
     std::sort(result.sharp_edges.begin(), result.sharp_edges.end());
     return result;
   }
 
-  // Returns values of facets in this order.
+  // Returns values of facets, which are in the order of the given surface, in this order.
   std::vector<std::size_t> of_facets(const std::vector<std::size_t>& values) const
   {
     CGAL_assertion(values.empty() || values.size() == m_facets.size());
@@ -78,29 +78,29 @@ public:
     return result;
   }
 
-  // Returns values of points that are in this order in that of the surface that was given. Points that were added to the surface
-  // come behind all others in both.
-  std::vector<Vector_3> back(const std::vector<Vector_3>& values) const
+  // Returns values of points, which are in this order, in that of the given surface. Points that were added to the surface come
+  // behind all others in both orders.
+  std::vector<Vector_3> in_given_order(const std::vector<Vector_3>& values) const
   {
     std::vector<Vector_3> result(values.size());
     for(std::size_t i = 0; i < values.size(); ++i)
-      result[point(i)] = values[i];
+      result[given_point(i)] = values[i];
     return result;
   }
 
-  // Returns the point of the surface that was given, or that was added to it, at a place in this order.
-  std::size_t point(const std::size_t i) const { return i < m_points.size() ? m_points[i] : i; }
+  // Returns the number in the given surface, or of a point added there, of the point at a place in this order.
+  std::size_t given_point(const std::size_t i) const { return i < m_points.size() ? m_points[i] : i; }
 
 private:
   template <std::size_t n>
-  std::array<std::size_t, n> numbered(std::array<std::size_t, n> simplex) const
+  std::array<std::size_t, n> places_of(std::array<std::size_t, n> simplex) const
   {
     for(std::size_t& v : simplex)
-      v = m_numbers[v];
+      v = m_places[v];
     return simplex;
   }
 
-  // Returns the squared distances from the center; 0 if a coordinate is not finite.
+  // Returns the squared distances of the points from the center, up to a common factor; 0 if a distance is not finite.
   std::vector<double> squared_distances() const
   {
     Vector_3 moment = Vector_3::Zero();
@@ -122,7 +122,7 @@ private:
   }
 
   const Numbered_surface_3& m_surface;
-  std::vector<std::size_t> m_points, m_numbers, m_facets; // points and facets in this order, and the places of points in it
+  std::vector<std::size_t> m_points, m_places, m_facets; // points in this order, place of each point, facets in this order
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

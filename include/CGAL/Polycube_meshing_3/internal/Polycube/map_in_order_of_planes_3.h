@@ -19,8 +19,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns whether faces orthogonal to an axis have a line along it in common.
-inline bool face_each_other(const Box_3& a, const Box_3& b, const int axis)
+// Returns whether a line along an axis meets the boxes of two faces that are orthogonal to it.
+inline bool overlap_along_axis(const Box_3& a, const Box_3& b, const int axis)
 {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   return a.smallest[u] <= b.largest[u] && b.smallest[u] <= a.largest[u]
@@ -28,8 +28,9 @@ inline bool face_each_other(const Box_3& a, const Box_3& b, const int axis)
 }
 
 // Returns for each chart of a polycube the multiple of the spacing that its face is moved to, as close as the orders allow: planes
-// do not change their order, and faces that face each other stay apart. Space is mapped by monotone functions of the coordinates
-// then, so that the polycube stays embedded, however thin its walls are. Where planes may join, edges of two parts may touch.
+// do not change their order, and faces that overlap along their axis stay apart. Space is mapped by monotone functions of the
+// coordinates then, so that the polycube stays embedded, however thin its walls are. If all planes may join, edges of parts may
+// touch.
 inline std::vector<double> multiples_in_order_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                                 const std::vector<Vector_3>& images, const double spacing, const bool may_join)
 {
@@ -51,7 +52,7 @@ inline std::vector<double> multiples_in_order_3(const Boundary_mesh_3& mesh, con
         charts_of_planes[boxes[c].smallest[axis]].push_back(c);
     std::vector<double> area_of_planes, moments;
     std::vector<Order_of_coordinates> orders;
-    std::vector<std::pair<std::size_t, std::size_t> > lower; // charts of lower planes, with the numbers of these
+    std::vector<std::pair<std::size_t, std::size_t> > lower; // charts, with the numbers of their planes
     for(const auto& [x, charts_of_plane] : charts_of_planes)
     {
       const std::size_t plane = area_of_planes.size();
@@ -60,7 +61,7 @@ inline std::vector<double> multiples_in_order_3(const Boundary_mesh_3& mesh, con
       const auto nearest = std::find_if(lower.rbegin(), lower.rend(), [&, &on_plane = charts_of_plane](const auto& below)
       {
         return std::any_of(on_plane.begin(), on_plane.end(), [&](const std::size_t c)
-                           { return face_each_other(boxes[c], boxes[below.first], axis); });
+                           { return overlap_along_axis(boxes[c], boxes[below.first], axis); });
       });
       if(nearest != lower.rend())
         orders.push_back({ nearest->second, plane, spacing });
@@ -80,7 +81,7 @@ inline std::vector<double> multiples_in_order_3(const Boundary_mesh_3& mesh, con
   return result;
 }
 
-// Maps a surface to the polycube that images are on, after its faces have been moved to multiples of the spacing of the surface.
+// Maps a surface to the polycube that given images are on, after its faces have been moved to multiples of the spacing.
 inline Surface_map_3 map_in_order_of_planes_3(const Unit_surface_3& surface, const std::vector<Vector_3>& images,
                                               const Budget& budget)
 {
@@ -104,8 +105,8 @@ inline Surface_map_3 map_in_order_of_planes_3(const Unit_surface_3& surface, con
   return result;
 }
 
-// Maps a surface by a function of the surface. If that finds no polycube with the spacing, one without is moved to multiples:
-// walls, slots and bores thinner than the spacing become as wide.
+// Maps a surface by a function `map(surface)`. If that finds no polycube with the spacing, a polycube without a spacing is moved
+// to multiples: walls, slots and bores thinner than the spacing become as wide.
 template <typename Map>
 Surface_map_3 map_with_thin_walls_3(const Unit_surface_3& surface, const Map& map, const Budget& budget)
 {

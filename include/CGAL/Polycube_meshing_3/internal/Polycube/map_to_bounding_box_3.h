@@ -22,7 +22,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Maps a topological sphere to the polycube of six charts, a box close to its bounding box.
+// Maps a topological sphere to its bounding box. With a spacing, faces of the box are moved to multiples first.
 inline Surface_map_3 map_to_bounding_box_3(const Turned_surface_3& turned, const Budget& budget)
 {
   const double spacing = turned.spacing;
@@ -43,7 +43,7 @@ inline Surface_map_3 map_to_bounding_box_3(const Turned_surface_3& turned, const
   result.status = map_to_box_3(unit_surface, half_lengths, std::nullopt, result.images, budget);
   if(result.status != OK)
     return result;
-  for(Vector_3& image : result.images)
+  for(Vector_3& image : result.images) // from the box of longest side 1 around 0: faces get exactly their coordinates
     for(int axis = 0; axis < 3; ++axis)
       image[axis] = (image[axis] == half_lengths[axis]) ? upper[axis] : (image[axis] == -half_lengths[axis]) ? lower[axis]
         : (lower[axis] + upper[axis]) / 2 + size * image[axis];

@@ -29,7 +29,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the sharp edges of a surface whose images lead along no axis, joined to polylines of its points, the longest one first.
+// Returns the sharp edges of a surface whose images lead along no axis, joined to polylines, the longest one first.
 inline std::vector<std::vector<Vector_3> > features_given_up_3(const Numbered_surface_3& surface,
                                                                const std::vector<Vector_3>& images)
 {
@@ -83,7 +83,7 @@ struct Polycube_candidate_3
   double cost;          // of the map, and the part of sharp edges given up
 };
 
-// Polycubes of a surface, the cheapest one first; the status tells why there are none.
+// Polycubes of a surface, the cheapest one first. The status is OK, or the reason why there are none.
 struct Found_polycubes_3
 {
   Error_code status = ERROR_NO_POLYCUBE;

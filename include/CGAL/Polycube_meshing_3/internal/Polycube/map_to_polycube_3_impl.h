@@ -34,15 +34,15 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 // Inserts the polycube of a map by its cost. If the map failed, its status becomes that of the search, unless a polycube was found
 // or an earlier map failed with another status than ERROR_NO_POLYCUBE.
-inline void add(const char* strategy, const Turned_surface_3& turned, Surface_map_3 map, Found_polycubes_3& found)
+inline void add_candidate(const char* strategy, const Turned_surface_3& turned, Surface_map_3 map, Found_polycubes_3& found)
 {
   if(map.status == OK || found.status == ERROR_NO_POLYCUBE)
     found.status = map.status;
   if(map.status != OK)
     return;
-  const double cost = cost_of_map(map) + part_given_up_3(turned.surface, map); // dear if a bounding box flattens pockets
-  const auto is_dearer = [&](const Polycube_candidate_3& candidate) { return candidate.cost > cost; };
-  found.candidates.insert(std::find_if(found.candidates.begin(), found.candidates.end(), is_dearer),
+  const double cost = cost_of_map(map) + part_given_up_3(turned.surface, map); // large if a bounding box flattens pockets
+  const auto costs_more = [&](const Polycube_candidate_3& candidate) { return candidate.cost > cost; };
+  found.candidates.insert(std::find_if(found.candidates.begin(), found.candidates.end(), costs_more),
                           { strategy, turned.rotation, std::move(map), cost });
 }
 
@@ -58,7 +58,7 @@ inline Turned_surface_3 turned_surface_3(const Polycube_problem_3& problem, cons
   return result;
 }
 
-// Strategy that may lead to a polycube, and a cost that suffices: if there is a cheaper one, the strategy is not tried.
+// Strategy that may lead to a polycube. It is not tried if there is a polycube that costs less than `sufficient_cost`.
 struct Polycube_strategy_3
 {
   const char* name;
@@ -67,16 +67,16 @@ struct Polycube_strategy_3
   std::function<Surface_map_3()> map;
 };
 
-// Maps a surface by all strategies that may lead to a cheaper polycube than those before.
+// Maps a surface by one strategy after the other, except for those whose sufficient cost is already undercut.
 inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, const bool may_split, const Budget& budget)
 {
-  const Error_code kind = check_sphere(turned.mesh);
-  const bool is_connected = kind != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
+  const Error_code status = check_sphere(turned.mesh);
+  const bool is_sphere = status == OK, is_connected = status != ERROR_SEVERAL_BOUNDARY_COMPONENTS;
   const auto map_body = [&](const Numbered_surface_3& body)
   {
     Polycube_problem_3 problem = { body, {}, turned.spacing };
     Found_polycubes_3 found = map_to_polycube_3(problem, budget);
-    problem.may_split = may_split; // of one of several bodies only those edges that must be
+    problem.may_split = may_split; // only if there is no polycube without
     if(found.candidates.empty() && may_split)
       found = map_to_polycube_3(problem, budget);
     return found.candidates.empty() ? Surface_map_3{ found.status } : found.candidates.front().map;
@@ -85,7 +85,7 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
   constexpr double low_cost = 0.7; // a guess: above it, voxels keep more features of blocks with oblique pockets
   const std::array<Polycube_strategy_3, 4> strategies = {{
     { "labels", true, 0, [&] { return map_with_thin_walls_3(turned, search, budget); } },
-    { "bounding box", kind == OK, low_cost, [&] { return map_to_bounding_box_3(turned, budget); } },
+    { "bounding box", is_sphere, low_cost, [&] { return map_to_bounding_box_3(turned, budget); } },
     { "bodies side by side", !is_connected, (std::numeric_limits<double>::infinity)(),
       [&] { return map_bodies_apart_3(turned.surface, turned.spacing, map_body); } },
     { "voxels", is_connected && may_split, low_cost, [&] { return map_to_voxels_3(turned, budget); } }
@@ -93,10 +93,11 @@ inline Found_polycubes_3 map_by_strategies_3(const Turned_surface_3& turned, con
   Found_polycubes_3 found;
   for(const Polycube_strategy_3& strategy : strategies)
     if(strategy.is_possible && (found.candidates.empty() || !(found.candidates.front().cost < strategy.sufficient_cost)))
-      add(strategy.name, turned, strategy.map(), found);
+      add_candidate(strategy.name, turned, strategy.map(), found);
   return found;
 }
 
+// Maps a surface to the polycube of given labels.
 inline Surface_map_3 map_with_labels_3(const Unit_surface_3& surface, const std::vector<std::size_t>& labels, const Budget& budget)
 {
   Polycube_map_3 map(surface, labels);
@@ -104,7 +105,7 @@ inline Surface_map_3 map_with_labels_3(const Unit_surface_3& surface, const std:
   return status == OK ? finished_map_3(map, budget) : Surface_map_3{ status };
 }
 
-// Maps a surface whose order is that of the search.
+// Maps a surface whose points and facets are in the order of `Order_of_surface_3`.
 inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem, const Budget& budget)
 {
   constexpr double largest_spacing = 1e60; // cubes of longer edges overflow
@@ -118,7 +119,7 @@ inline Found_polycubes_3 map_ordered_surface_3(const Polycube_problem_3& problem
     return map_by_strategies_3(turned, problem.may_split, budget);
   Found_polycubes_3 found;
   const auto map = [&](const Unit_surface_3& surface) { return map_with_labels_3(surface, problem.labels, budget); };
-  add("given labels", turned, map_with_thin_walls_3(turned, map, budget), found);
+  add_candidate("given labels", turned, map_with_thin_walls_3(turned, map, budget), found);
   return found;
 }
 
@@ -132,11 +133,11 @@ Found_polycubes_3 map_to_polycube_3(const Polycube_problem_3& problem, const Bud
   Found_polycubes_3 found = map_ordered_surface_3(ordered, budget);
   for(Polycube_candidate_3& candidate : found.candidates)
   {
-    candidate.map.images = order.back(candidate.map.images);
+    candidate.map.images = order.in_given_order(candidate.map.images);
     for(auto& [v, w] : candidate.map.splits)
     {
-      v = order.point(v);
-      w = order.point(w);
+      v = order.given_point(v);
+      w = order.given_point(w);
     }
   }
   return found;

@@ -23,9 +23,10 @@ struct Chain_chord_3
 {
   Boundary_mesh_3::Halfedge_index edge;
   Boundary_mesh_3::Halfedge_index cut_off; // a halfedge of the chain, in the chart, between the two vertices
-  std::size_t chart, other_chart;
+  std::size_t chart, other_chart; // on both sides of the chain, that of the edge first
 };
 
+// Returns a chord of a chain, directed like the chain; none if there is no chord.
 inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                                const Polycube_chain_3& chain)
 {
@@ -34,7 +35,7 @@ inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, cons
   for(std::size_t i = 0; i < path.size(); ++i)
     positions.emplace_back(path[i], i);
   std::sort(positions.begin(), positions.end());
-  const auto position = [&](const Polycube_charts_3::Vertex v)
+  const auto position = [&](const Polycube_charts_3::Vertex v) // on the chain; 0 for vertices beside it, too
   {
     const auto it = std::lower_bound(positions.begin(), positions.end(), std::pair(v, std::size_t(0)));
     return it != positions.end() && it->first == v ? it->second : 0;
@@ -42,7 +43,7 @@ inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, cons
   for(std::size_t i = 0; i < path.size(); ++i)
     for(const auto h : CGAL::halfedges_around_source(path[i], mesh))
     {
-      if(charts.chart(h) != charts.chart(mesh.opposite(h)) || position(mesh.target(h)) < i + 2)
+      if(charts.separates(h) || position(mesh.target(h)) < i + 2)
         continue;
       if(charts.chart(h) == chain.charts[0])
         return Chain_chord_3{ h, chain.halfedges[i], chain.charts[0], chain.charts[1] };
@@ -52,7 +53,7 @@ inline std::optional<Chain_chord_3> find_chord(const Boundary_mesh_3& mesh, cons
   return std::nullopt;
 }
 
-// Returns the faces of a chart that a chord cuts off, together with a halfedge of the chain.
+// Returns the faces of a chart between a chord and its chain.
 inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mesh_3& mesh,
                                                               const Polycube_charts_3& charts,
                                                               const Chain_chord_3& chord)
@@ -72,8 +73,8 @@ inline std::vector<Boundary_mesh_3::Face_index> faces_cut_off(const Boundary_mes
   return faces;
 }
 
-// Gives faces that chords cut off to the chart on the other side of the chain, as the image of a chord would lie on an edge
-// of the polycube, and the faces be flat. Returns whether there were any.
+// Gives faces that chords cut off to the chart on the other side of the chain: the image of a chord would lie on an edge of the
+// polycube, and the images of these faces, too. Returns whether there were any.
 inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                 std::vector<std::size_t>& labels)
 {
@@ -93,8 +94,8 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
 }
 
 // Gives charts that are not valid, and their neighbors, other labels, each at most once: the cheapest label with which there
-// are fewer defects. Returns whether a label changed.
-inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
+// are fewer defects. Returns whether a label changed; none does if the budget is exhausted.
+inline bool relabel_invalid_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
                            std::vector<std::size_t>& labels, const Budget& budget)
 {
   std::vector<std::size_t> best = charts.labels();
@@ -121,7 +122,7 @@ inline bool relabel_charts(const Polycube_charts_3& charts, const std::vector<Ch
 }
 
 // Makes all charts valid: straightens their borders, and relabels invalid charts or their neighbors. Returns whether all are
-// valid.
+// valid, and at least six.
 inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
                             std::vector<std::size_t>& labels, const Budget& budget)
 {
@@ -138,13 +139,13 @@ inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& 
     if(charts.number_of_defects() == 0)
       return true;
     if((*steps)-- == 0
-       || !relabel_charts(charts, costs.chart_relabellings(smoothing, labels, charts.chart_of_face()), labels, budget))
+       || !relabel_invalid_charts(charts, costs.chart_relabellings(smoothing, labels, charts.chart_of_face()), labels, budget))
       return false;
   }
   return false;
 }
 
-// Gives each face to the neighboring chart that suits it best. Returns whether any face changed its chart.
+// Gives each of some faces to the neighboring chart whose label costs least there. Returns whether any face changed its chart.
 inline bool give_away_faces(const Boundary_mesh_3& mesh, const std::vector<Boundary_mesh_3::Face_index>& faces,
                             const Normal_labels_3& costs, std::vector<std::size_t>& labels)
 {

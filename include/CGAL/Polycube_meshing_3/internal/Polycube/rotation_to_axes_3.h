@@ -29,11 +29,11 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Normals of a surface, times parts of its area, and how far they are from the axes once they are turned.
+// Normals of a surface, weighted by area, and how far they are from the axes after a rotation.
 class Turned_normals_3
 {
 public:
-  // Sums up normals that differ by about a degree, such that their number does not depend on that of the facets.
+  // Sums up normals that differ by about a degree, such that the number of sums does not grow with that of the facets.
   explicit Turned_normals_3(const Boundary_mesh_3& mesh)
   {
     std::map<std::array<double, 3>, Vector_3> sums;
@@ -51,7 +51,7 @@ public:
         m_normals.push_back(normal / area);
   }
 
-  // Returns the mean distance of a turned unit normal from the nearest axis, weighted by area.
+  // Returns the mean distance of a turned unit normal from the nearest unit vector along an axis, weighted by area.
   double distance(const Matrix_3& rotation) const
   {
     double result = 0;
@@ -60,17 +60,18 @@ public:
     return result;
   }
 
-  // Lowers the distance from a rotation on: the normals are turned, in the sense of least squares, to the axes nearest to them,
-  // with the inverses of their distances as weights, of which the smallest are raised less and less (Weiszfeld's algorithm).
-  Matrix_3 minimize(Matrix_3 rotation) const
+  // Returns a rotation near a given one whose distance is a local minimum, by Weiszfeld's algorithm. Each step turns the normals,
+  // in the sense of least squares, to the axes nearest to them. The weights are the inverses of distances, bounded less and less.
+  Matrix_3 minimum_near(Matrix_3 rotation) const
   {
-    for(double least = 0.5; least > 1e-7; least *= 0.7) // guesses, the last one far above rounding
+    for(double least_distance = 0.5; least_distance > 1e-7; least_distance *= 0.7) // guesses, the last one far above rounding
     {
       Matrix_3 sum = Matrix_3::Zero();
       for(const Vector_3& normal : m_normals)
       {
         const Vector_3 axis = nearest_axis(rotation * normal);
-        sum += Matrix_3::outer_product(axis, normal) / (std::max)(least, (rotation * normal.normalized() - axis).norm());
+        sum += Matrix_3::outer_product(axis, normal)
+               / (std::max)(least_distance, (rotation * normal.normalized() - axis).norm());
       }
       rotation = rotation_and_stretch_3(sum).rotation;
     }
@@ -78,18 +79,19 @@ public:
   }
 
 private:
+  // Returns the unit vector along an axis, in either direction, that is nearest to a vector.
   static Vector_3 nearest_axis(const Vector_3& vector)
   {
     const int axis = vector.cwiseAbs().largest_index();
     return std::copysign(1., vector[axis]) * Vector_3::Unit(axis);
   }
 
-  static constexpr double resolution = 50; // a guess: one degree
+  static constexpr double resolution = 50; // normals per unit of a coordinate that are told apart; a guess, about a degree
 
   std::vector<Vector_3> m_normals;
 };
 
-// Returns the rotation followed by that symmetry of the cube with which it turns least.
+// Returns, among the products of symmetries of the cube and a rotation, the rotation by the smallest angle.
 inline Matrix_3 least_turning(const Matrix_3& rotation)
 {
   Matrix_3 result = rotation;
@@ -108,8 +110,7 @@ inline Matrix_3 least_turning(const Matrix_3& rotation)
 }
 
 // Returns the rotation that brings the normals of a surface closest to the axes, among the minima that are reached from rotations
-// by multiples of 30 degrees. The distance of the identity need not be minimal: if it is nearly the least one, there is no other
-// rotation.
+// by multiples of 30 degrees. Returns the identity if its distance, which need not be a minimum, is nearly the least one.
 inline Matrix_3 rotation_to_axes_3(const Boundary_mesh_3& mesh)
 {
   constexpr double tolerance = 0.003; // a guess: a cube that is turned by a sixth of a degree differs by it
@@ -119,7 +120,7 @@ inline Matrix_3 rotation_to_axes_3(const Boundary_mesh_3& mesh)
   {
     const auto turn = [](const int multiple, const int axis) -> Matrix_3
     { return Eigen::AngleAxisd(multiple * CGAL_PI / 6, Eigen::Vector3d::Unit(axis)).toRotationMatrix(); };
-    const Matrix_3 rotation = normals.minimize(turn(i % 3, 0) * turn(i / 3 % 3, 1) * turn(i / 9, 2));
+    const Matrix_3 rotation = normals.minimum_near(turn(i % 3, 0) * turn(i / 3 % 3, 1) * turn(i / 9, 2));
     if(const double distance = normals.distance(rotation); distance < best.first)
       best = { distance, rotation };
   }
