@@ -32,7 +32,7 @@ struct Harmonic_chart_2 : Chart_triangles_2
 
   std::vector<Function> functions;
   int plane = 0; // of the face that the chart is mapped to
-  int sign = 0;  // of the direction along its axis in which that faces
+  int sign = 0;  // of the outward normal of this face along its axis
 
   using Chart_triangles_2::Chart_triangles_2;
 
@@ -94,11 +94,11 @@ public:
   }
 
 private:
-  // Image of a vertex of an edge of the polycube, by axis: between two planes, or, across the edge, in one that is both of them.
+  // Image of a vertex on an edge of the polycube, by axis: between two planes, which are the same across the edge.
   struct Edge_position
   {
     std::array<std::size_t, 3> first, second;  // planes
-    std::array<double, 3> part;                // of the way from the first plane to the second one
+    std::array<double, 3> part;                // of the way from the first plane to the second one, from 0 to 1
   };
   using Edge_positions = std::map<int, Edge_position>; // by vertex
 
@@ -120,7 +120,7 @@ private:
     return result;
   }
 
-  // Adds the harmonic functions by which the coordinates of planes move the vertices of a chart, along both of its axes.
+  // Adds to a chart, for both of its axes and each plane at its border, the harmonic function that belongs to the coordinate.
   static void add_functions(const std::array<int, 2>& axes, const Edge_positions& positions, Harmonic_chart_2& chart)
   {
     std::vector<bool> is_held;

@@ -39,10 +39,11 @@ public:
     }
   }
 
+  // Returns the term of a face.
   double cost(const Face f, const std::size_t label) const
   { return m_area_vectors[f].norm() - m_area_vectors[f].dot(vector_of_direction(label)); }
 
-  // Returns the length of an edge as a border between labels.
+  // Returns the term of an edge between faces of different labels, without the smoothing.
   double length(const Boundary_mesh_3::Halfedge_index h) const
   {
     const Vector_3 &a = m_area_vectors[m_mesh.face(h)], &b = m_area_vectors[m_mesh.face(m_mesh.opposite(h))];

@@ -124,9 +124,7 @@ private:
     }
 
     bool has_corner_with(const Edge& other) const
-    {
-      return lowest == other.lowest || lowest == other.highest || highest == other.lowest || highest == other.highest;
-    }
+    { return lowest == other.lowest || lowest == other.highest || highest == other.lowest || highest == other.highest; }
   };
 
   // Finds the coordinates along an axis by its quadratic program for the orders so far. Returns whether there are any.
@@ -164,9 +162,7 @@ private:
     std::vector<std::size_t> order(m_planes.size()); // of planes, by axis and coordinate
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(), [this](const std::size_t p, const std::size_t q)
-    {
-      return std::pair(m_planes.axis(p), m_coordinate[p]) < std::pair(m_planes.axis(q), m_coordinate[q]);
-    });
+    { return std::pair(m_planes.axis(p), m_coordinate[p]) < std::pair(m_planes.axis(q), m_coordinate[q]); });
     for(std::size_t i = 1; i < order.size(); ++i)
       if(const double previous = m_coordinate[order[i - 1]];
          m_planes.axis(order[i]) == m_planes.axis(order[i - 1]) && m_coordinate[order[i]] - previous < rounding)

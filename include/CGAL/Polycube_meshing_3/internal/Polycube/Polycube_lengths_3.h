@@ -29,11 +29,11 @@
 namespace CGAL::Polycube_meshing_3::internal {
 
 // Moves the faces of a polycube along their axes such that lengths on it become those on the surface: a limb that leads askew
-// to the axes gets its own length, not that of its shadow. With s and t the singular values of the harmonic map, the least
+// to the axes gets its own length, not that of its projection. With s and t the singular values of the harmonic map, the least
 //   sum over facets of area (log(s)^2 + log(t)^2)
-// is looked for, by Newton's method on sums of squares that are weighted anew in each step. Its scale is that of the surface; if
-// the polycube has less volume than the body then, it gets the same, so that hexahedra are on the mean not larger than the spacing
-// of a grid, neither inside nor where thin limbs have more surface than volume.
+// is looked for, by Newton's method on sums of squares that are weighted anew in each step. The scale is that of the surface. A
+// polycube of less volume than the body is scaled to this volume, so that hexahedra are on the mean not larger than the spacing of
+// a grid, neither inside nor where thin limbs have more surface than volume.
 class Polycube_lengths_3
 {
 public:
@@ -44,8 +44,8 @@ public:
       m_weights[p] = weight_of_position * planes.areas()[p];
   }
 
-  // Returns the coordinates of the planes of the best polycube. Takes those of the charts to start with, and a grid: if it has a
-  // spacing, the result is rounded to its planes.
+  // Returns the coordinates of the planes of the best polycube. Takes the coordinates of the charts at the start, and a grid, to
+  // whose planes the result is rounded if there is a spacing.
   std::vector<double> run(const std::vector<double>& coordinates, const Plane_grid_3& grid, const Budget& budget) const
   {
     constexpr double rounding = 1e-12; // far below the energy of any polycube that is not the body itself
@@ -106,10 +106,10 @@ private:
     return x;
   }
 
-  // Keeps the energy finite where a facet vanishes, as those at concave corners do.
+  // Returns a singular value that keeps the energy finite where a facet vanishes, as facets at concave corners do.
   static double bounded(const double singular_value) { return (std::max)(singular_value, 0.03); } // a guess
 
-  // Adds to the sum over facets what holds the polycube in its place.
+  // Returns the sum over facets, and the weighted squares of the distances from the start, which hold the polycube in its place.
   double energy(const VectorXd& x, const VectorXd& start) const
   {
     double result = (x - start).cwiseAbs2().dot(m_weights);
@@ -167,8 +167,8 @@ private:
   }
 
   // Moves coordinates to planes of the grid, one after the other, the closest first. The others go along such that the sum of
-  // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known. Planes that may
-  // move start at the largest faces, wherever the body lies.
+  // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known. The origin of a grid
+  // that may move is first set to the planes with the largest faces, wherever the body lies.
   void round_to_planes(Plane_grid_3 grid, VectorXd& x) const
   {
     Vector_3 largest = Vector_3::Zero();
@@ -191,20 +191,20 @@ private:
       const double multiple = (x[g] - grid.origin[m_planes.axis(g)]) / grid.spacing;
       return grid.spacing * (std::round(multiple) - multiple);
     };
-    std::vector<Eigen::Index> left(x.size());
-    for(std::iota(left.begin(), left.end(), 0); !left.empty(); )
+    std::vector<Eigen::Index> unknown(x.size());
+    for(std::iota(unknown.begin(), unknown.end(), 0); !unknown.empty(); )
     {
-      const auto closest = std::min_element(left.begin(), left.end(), [&](const Eigen::Index g, const Eigen::Index h)
+      const auto closest = std::min_element(unknown.begin(), unknown.end(), [&](const Eigen::Index g, const Eigen::Index h)
       { return std::abs(distance(g)) < std::abs(distance(h)); });
       const Eigen::Index known = *closest;
-      left.erase(closest);
+      unknown.erase(closest);
       const VectorXd column = covariance.col(known);
       const double step = distance(known) / column[known];
       x[known] += step * column[known];
-      for(const Eigen::Index g : left)
+      for(const Eigen::Index g : unknown)
       {
         x[g] += step * column[g];
-        for(const Eigen::Index h : left)
+        for(const Eigen::Index h : unknown)
           covariance(g, h) -= column[g] * column[h] / column[known];
       }
     }

@@ -235,9 +235,7 @@ private:
   {
     const auto [u, v] = m_charts.plane_axes(m_charts.chart_of_face()[f]);
     const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)
-    {
-      return Boundary_point_2(m_images[w][u], m_images[w][v]);
-    };
+    { return Boundary_point_2(m_images[w][u], m_images[w][v]); };
     const auto [a, b, c] = vertices_of_face(m_mesh, f);
     return CGAL::orientation(point(a), point(b), point(c)) == POSITIVE;
   }

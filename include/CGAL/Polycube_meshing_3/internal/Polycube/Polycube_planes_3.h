@@ -22,7 +22,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Planes of a polycube, each with the charts that are mapped to faces in it: those of an axis that meet in a corner are.
+// Planes of a polycube, each with the charts that are mapped to faces in it. Charts of one axis that meet in a corner share one.
 class Polycube_planes_3
 {
 public:
@@ -32,7 +32,7 @@ public:
     for(const auto v : charts.corners())
     {
       const auto around = CGAL::halfedges_around_target(v, mesh);
-      std::array<std::size_t, 3>& first = m_at_corner[v];
+      std::array<std::size_t, 3>& first = m_at_corner[v]; // charts for now, by axis
       for(const auto h : around)
         first[charts.axis(charts.chart(h))] = charts.chart(h);
       for(const auto h : around)
@@ -58,7 +58,7 @@ public:
   // Returns the axis that a plane is orthogonal to.
   int axis(const std::size_t plane) const { return m_axes[plane]; }
 
-  // Returns the areas of the charts of each plane.
+  // Returns for each plane the area of its charts on the surface.
   const std::vector<double>& areas() const { return m_areas; }
 
   // Returns the planes at a corner, by axis.

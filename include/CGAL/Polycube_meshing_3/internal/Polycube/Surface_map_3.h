@@ -26,8 +26,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Map of a surface: if the status is OK, the images of its vertices, their distortion, if others are compared with it, and the
-// edges that were split for the map one after the other, each at its midpoint. The new points come behind all others.
+// Map of a surface: if the status is OK, the images of its vertices, their distortion, infinite if not measured, and the edges
+// that were split for the map one after the other, each at its midpoint. The new points come behind all others.
 struct Surface_map_3
 {
   Error_code status = ERROR_NO_POLYCUBE;
@@ -49,9 +49,9 @@ std::size_t label_of_image(const Facet& facet, const std::vector<Vector_3>& imag
   return 2 * axis + (CGAL::orientation(point(p), point(q), point(r)) == NEGATIVE);
 }
 
-// Returns what the map to a polycube costs: the distortion, times the third root of the factor by which splits multiply the
-// vertices. So voxels, with a usual factor of 2.4, must have three quarters of the distortion of others: they multiply the cells
-// inside.
+// Returns the cost of the map to a polycube: the distortion, times the third root of the factor by which splits multiply the
+// vertices. Voxels usually have a factor of 2.4. They must have three quarters of the distortion of others, as splits multiply the
+// cells inside.
 inline double cost_of_map(const Surface_map_3& map)
 {
   const double n = static_cast<double>(map.images.size()), given = n - static_cast<double>(map.splits.size());

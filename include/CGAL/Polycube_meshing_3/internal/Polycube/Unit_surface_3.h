@@ -30,12 +30,12 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 using Volume_mesh_parameterization::internal::vertex_index; // not CGAL's
 
-// Surface of longest side 1 that is mapped to a polycube, and where this is to be.
+// Surface whose box has the longest side 1 and the center 0, and size and place of the polycube that it is mapped to.
 struct Unit_surface_3
 {
   Boundary_mesh_3 mesh;
-  std::vector<bool> is_sharp; // of its edges
-  Box_3 box;    // of the surface before it was scaled, which gives the size of the polycube
+  std::vector<bool> is_sharp; // by edge
+  Box_3 box;                  // of the surface before it was scaled, which gives the size of the polycube
   double spacing = 0;         // that coordinates of faces are multiples of, or 0 for any coordinates
   bool may_move = false;      // may the polycube be moved by a part of the spacing to be close to the surface?
   std::vector<std::array<std::size_t, 2> > splits = {}; // edges whose midpoints became vertices, one after the other
@@ -48,7 +48,7 @@ inline int number_of_handles(const Boundary_mesh_3& mesh)
   return 1 - characteristic / 2;
 }
 
-// Surface that is turned about the center of its bounding box, as it is in space and in the unit box.
+// Surface that is turned about the center of its bounding box: `mesh` is in the unit box, and `surface` has the size of the body.
 struct Turned_surface_3 : Unit_surface_3
 {
   Matrix_3 rotation;
@@ -67,6 +67,7 @@ struct Turned_surface_3 : Unit_surface_3
   }
 
 private:
+  // Turns the surface and its mesh about a center.
   void turn(const Vector_3& center)
   {
     for(Vector_3& p : surface.points)
@@ -94,8 +95,8 @@ inline double distortion_3(const Boundary_mesh_3& mesh, const std::vector<Vector
   return std::isfinite(mean) ? std::sqrt((std::max)(0., mean)) : (std::numeric_limits<double>::infinity)();
 }
 
-// Splits edges at their midpoints, the longest one first, and the facets beside them. Returns which facet each one comes from. As
-// edges are split one after the other, a tetrahedral mesh can be split in the same way.
+// Splits edges at their midpoints, the longest one first, and the facets beside them. Returns for each facet the one that it is a
+// part of. As edges are split one after the other, a tetrahedral mesh can be split in the same way.
 inline std::vector<std::size_t> split_edges_3(std::vector<Boundary_mesh_3::Edge_index> edges, Unit_surface_3& surface)
 {
   Boundary_mesh_3& mesh = surface.mesh;
@@ -114,7 +115,7 @@ inline std::vector<std::size_t> split_edges_3(std::vector<Boundary_mesh_3::Edge_
   return parents;
 }
 
-// Splits edges that are longer than is allowed at their midpoints, and their halves, until there are none.
+// Splits edges that are longer than is allowed at their midpoints, and their halves likewise, until no edge is too long.
 template <typename Length>
 void split_long_edges_3(const Length& maximum_length_at, Unit_surface_3& surface)
 {

@@ -32,8 +32,8 @@ struct Separate_body_3
   std::vector<std::size_t> vertices;
 };
 
-// Returns the bodies of a surface, by cells that share points. Their surfaces do not point to their cells yet: copies would
-// point to those of the originals.
+// Returns the bodies of a surface: sets of cells that are connected by points. Their surfaces do not point to their cells yet, as
+// copies would point to cells of the originals.
 inline std::vector<Separate_body_3> separate_bodies_3(const Numbered_surface_3& whole)
 {
   std::size_t number_of_points = 0;
@@ -81,16 +81,16 @@ inline void move_along_x(const double distance, const double spacing, std::vecto
 inline void add_body(const Separate_body_3& body, const Surface_map_3& map, Surface_map_3& whole)
 {
   const std::size_t given = body.vertices.size(), before = whole.images.size();
-  const auto on_whole = [&](const std::size_t v) { return v < given ? body.vertices[v] : before + v - given; };
+  const auto number_on_whole = [&](const std::size_t v) { return v < given ? body.vertices[v] : before + v - given; };
   for(const auto& [v, w] : map.splits)
-    whole.splits.push_back({ on_whole(v), on_whole(w) });
+    whole.splits.push_back({ number_on_whole(v), number_on_whole(w) });
   whole.images.resize(before + map.splits.size());
   for(std::size_t v = 0; v < map.images.size(); ++v)
-    whole.images[on_whole(v)] = map.images[v];
+    whole.images[number_on_whole(v)] = map.images[v];
 }
 
-// Maps several bodies, each for itself by `map_body(surface)`. A polycube that would touch earlier ones is moved to the right of
-// them all, as that of a ring linked with another one must be. A body with cavities is refused.
+// Maps several bodies, each by itself with `map_body(surface)`. A polycube that would touch an earlier one is moved along x beyond
+// all of these, as the polycube of a ring linked with another ring must be. A single body with cavities is refused.
 template <typename MapBody>
 Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double spacing, const MapBody& map_body)
 {
@@ -99,7 +99,7 @@ Surface_map_3 map_bodies_apart_3(const Numbered_surface_3& whole, const double s
     return { ERROR_SEVERAL_BOUNDARY_COMPONENTS };
   Surface_map_3 result = { OK, std::vector<Vector_3>(whole.points.size()) };
   std::vector<Box_3> boxes;
-  double right = -(std::numeric_limits<double>::infinity)(); // of them all
+  double right = -(std::numeric_limits<double>::infinity)(); // largest x of all boxes
   for(Separate_body_3& body : bodies)
   {
     body.surface.cells = &body.cells;
