@@ -250,10 +250,10 @@ public:
 #endif
 
 private:
-  using Given = std::vector<std::size_t>; // labels
+  using Given = std::vector<std::size_t>; // labels of the facets of the boundary; none if they are to be found
 
-  // Adds the boundaries that are mapped to polycubes, the cheapest one first, up to the first one without split edges. Returns the
-  // status of the search.
+  // Adds the boundaries that are mapped to polycubes, the cheapest one first, up to the first one without split edges. Edges are
+  // split only if the body may be refined. Returns the status of the search.
   Error_code find(const internal::Body_3& body, const Given& label_of_facet, const bool may_refine,
                   const internal::Budget& budget, std::vector<internal::Mapped_boundary_3>& boundaries) const
   {

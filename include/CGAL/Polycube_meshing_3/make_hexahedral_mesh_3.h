@@ -31,7 +31,7 @@ namespace CGAL::Polycube_meshing_3 {
 
 namespace internal {
 
-// Marks the facets of the boundary and of interfaces by their surface patches, in a soup that has been made of the complex.
+// Gives a soup that was made of the complex the facets of surface patches, and their references: integers, or numbers from 1.
 template <typename C3t3>
 void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
 {
@@ -60,6 +60,7 @@ void mark_facets(const C3t3& c3t3, Tetrahedron_soup_3& soup)
   }
 }
 
+// Checks the parameters, finds hexahedra, and writes them to the mesh if they are valid.
 template <typename ConcurrencyTag, typename NamedParameters>
 Hexahedral_mesh_result hexahedral_mesh_of_map(const Mapped_soup_3& map, const double spacing, Hexahedron_soup_3& mesh,
                                               const NamedParameters& np)

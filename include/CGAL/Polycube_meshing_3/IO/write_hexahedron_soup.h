@@ -28,7 +28,7 @@
 namespace CGAL::Polycube_meshing_3 {
 namespace internal {
 
-// As many digits of a number as its field has room for: all 17 of most.
+// Returns a number with as many digits as its field has room for: all 17 of most numbers.
 inline std::string INP_number(const double number)
 {
   constexpr std::ptrdiff_t room = 20; // characters of a number that Abaqus and CalculiX read
@@ -61,7 +61,7 @@ inline std::string INP_name(const std::string& name)
   return result.substr(0, 80); // as many as both programs allow
 }
 
-// Numbers from 1, at most 16 a line.
+// Writes a keyword and the items of indices, as numbers from 1, at most 16 in a line.
 template <typename Indices>
 void write_INP_set(Text_writer& writer, const std::string& keyword, const Indices& indices)
 {
@@ -75,7 +75,7 @@ void write_INP_set(Text_writer& writer, const std::string& keyword, const Indice
   writer << "\n";
 }
 
-// The nodes of quadrangles, for supports, and the faces of elements, for pressures.
+// Writes the nodes of quadrangles, for supports, and the faces of elements, for pressures.
 inline void write_INP_surface(Text_writer& writer, const Hexahedron_soup_3& mesh, const std::string& name,
                               const std::vector<Quadrangle_of_hexahedron>& quadrangles)
 {
@@ -89,6 +89,7 @@ inline void write_INP_surface(Text_writer& writer, const Hexahedron_soup_3& mesh
     writer << q.cell + 1 << ", S" << q.side + 1 << "\n";
 }
 
+// Returns the cells of each subdomain, by the name of the set.
 inline std::map<std::string, std::vector<std::size_t> > INP_subdomains(const Hexahedron_soup_3& mesh)
 {
   std::map<std::string, std::vector<std::size_t> > result;
@@ -97,7 +98,7 @@ inline std::map<std::string, std::vector<std::size_t> > INP_subdomains(const Hex
   return result;
 }
 
-// Returns the faces of the polycube, the patches of the boundary and interfaces, and both sides of each interface.
+// Returns, by name, the quadrangles of faces of the polycube, of patches, and of both sides of interfaces.
 inline std::map<std::string, std::vector<Quadrangle_of_hexahedron> > INP_surfaces(const Hexahedron_soup_3& mesh)
 {
   std::map<std::string, std::vector<Quadrangle_of_hexahedron> > result;
@@ -123,7 +124,7 @@ inline std::map<std::string, std::vector<Quadrangle_of_hexahedron> > INP_surface
   return result;
 }
 
-// Returns the vertices on each curve.
+// Returns the vertices on each curve with a reference, by the name of the set; some of them twice.
 inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahedron_soup_3& mesh)
 {
   std::map<std::string, std::vector<std::size_t> > result;
@@ -134,8 +135,8 @@ inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahed
   return result;
 }
 
-// Adds for each name of groups of a dimension the union of their sets. The names are by dimension and reference, and the sets of
-// groups have names of the prefix and a reference. A union replaces a set whose name is the same but for capitals.
+// Adds for each name of groups of a dimension the union of the sets of these groups. The names are by dimension and reference.
+// The names of sets are a prefix and a reference. A union replaces a set whose name is the same but for capitals.
 template <typename Item>
 void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
                 std::map<std::string, std::vector<Item> >& sets)
