@@ -37,7 +37,7 @@ inline void write_MSH(std::ostream& os, const Hexahedron_soup_3& mesh,
   {
     std::map<std::pair<int, int>, std::string> names_of_groups = names;
     internal::Gmsh_writer writer(mesh.points, names_of_groups);
-    writer.add(3, 5, mesh.cells, mesh.cell_references);
+    writer.add(3, 5, mesh.cells, mesh.cell_references); // dimension, and number of Gmsh for hexahedra
     std::vector<std::array<std::size_t, 4> > facets; // of groups: meshio 5.0 reads no file with others beside them
     std::vector<int> references;
     for(std::size_t f = 0; f < mesh.facets.size(); ++f)
@@ -55,7 +55,7 @@ inline void write_MSH(std::ostream& os, const Hexahedron_soup_3& mesh,
       facets.push_back(mesh.interface_facets[i]);
       references.push_back(at_interfaces[i]);
     }
-    writer.add(2, 3, facets, references);
+    writer.add(2, 3, facets, references); // quadrangles
     writer.write(os, version);
   });
 }

@@ -225,7 +225,7 @@ inline bool write_VTU(std::ostream& os, const Hexahedron_soup_3& mesh,
   };
 
   internal::VTU_writer writer(mesh.points, internal::VTU_cells<8>{ mesh.cells, 12 }, internal::VTU_cells<4>{ mesh.facets, 9 },
-                              internal::VTU_cells<4>{ mesh.interface_facets, 9 });
+                              internal::VTU_cells<4>{ mesh.interface_facets, 9 }); // numbers of VTK: hexahedra, quadrangles
   writer.add_names(names);
   writer.begin("PointData");
   writer.add_points("uvw", mesh.images);

@@ -51,8 +51,8 @@ public:
   bool are_empty() const
   { return std::none_of(m_planes.begin(), m_planes.end(), [](const Plane& plane) { return plane.value.has_value(); }); }
 
-  // Gives up the shortest plane of lines at a flipped face. If there is none, gives up the shortest one with lines in a chart of a
-  // flipped face or beside it. Returns whether there was one.
+  // Gives up the lines of the shortest plane with a line at a flipped face. If there is none, gives up those of the shortest plane
+  // with a line in a chart of a flipped face or beside it. Returns whether any were given up.
   bool give_up(const std::vector<Boundary_mesh_3::Face_index>& flipped_faces)
   {
     std::vector<bool> is_chart_bad(m_charts.number_of_charts(), false), is_vertex_bad(m_images.size(), false);
@@ -222,8 +222,8 @@ private:
     }
   }
 
-  // Returns the values that a plane may have, the best one first. If lines end at edges of the polycube in one plane across the
-  // axis, the only value is that of this plane; there is none if there are several such planes.
+  // Returns the values that a plane may have, the best one first. If lines meet edges of the polycube whose coordinate along the
+  // axis is that of a face, this coordinate is the only value; there is none if such coordinates differ.
   std::vector<double> values(const Plane& plane) const
   {
     std::set<double> bound;

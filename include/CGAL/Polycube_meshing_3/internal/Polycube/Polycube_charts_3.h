@@ -219,7 +219,7 @@ private:
     }
     for(std::size_t s = 0; s < m_borders.sides.size(); ++s)
       if(auto& sides = m_borders.sides_to_corner[m_borders.sides[s].last]; sides.empty())
-        for(std::size_t t = s; sides.empty() || t != s; t = m_borders.sides[t].next ^ 1)
+        for(std::size_t t = s; sides.empty() || t != s; t = m_borders.sides[t].next ^ 1) // back along the side that leaves it
           sides.push_back(t);
   }
 

@@ -186,7 +186,7 @@ private:
       unit[g] = 1;
       covariance.col(g) = solver->solve(unit);
     }
-    const auto distance = [&](const Eigen::Index g)
+    const auto offset_to_plane = [&](const Eigen::Index g)
     {
       const double multiple = (x[g] - grid.origin[m_planes.axis(g)]) / grid.spacing;
       return grid.spacing * (std::round(multiple) - multiple);
@@ -195,11 +195,11 @@ private:
     for(std::iota(unknown.begin(), unknown.end(), 0); !unknown.empty(); )
     {
       const auto closest = std::min_element(unknown.begin(), unknown.end(), [&](const Eigen::Index g, const Eigen::Index h)
-      { return std::abs(distance(g)) < std::abs(distance(h)); });
+      { return std::abs(offset_to_plane(g)) < std::abs(offset_to_plane(h)); });
       const Eigen::Index known = *closest;
       unknown.erase(closest);
       const VectorXd column = covariance.col(known);
-      const double step = distance(known) / column[known];
+      const double step = offset_to_plane(known) / column[known];
       x[known] += step * column[known];
       for(const Eigen::Index g : unknown)
       {

@@ -80,7 +80,7 @@ private:
         for(auto k = back.rbegin(); k != back.rend(); ++k)
           curve.push_back(m_mesh.opposite(*k));
         const std::vector<Halfedge> ahead = follow(h, is_used);
-        curve.insert(curve.end(), ahead.begin() + 1, ahead.end());
+        curve.insert(curve.end(), ahead.begin() + 1, ahead.end()); // h is in both parts
         if(!add_line(curve.begin(), curve.end()))
           for(auto begin = curve.begin(), end = begin; begin != curve.end(); begin = end)
           {

@@ -29,8 +29,7 @@ inline bool overlap_along_axis(const Box_3& a, const Box_3& b, const int axis)
 
 // Returns for each chart of a polycube the multiple of the spacing that its face is moved to, as close as the orders allow: planes
 // do not change their order, and faces that overlap along their axis stay apart. Space is mapped by monotone functions of the
-// coordinates then, so that the polycube stays embedded, however thin its walls are. If all planes may join, edges of parts may
-// touch.
+// coordinates then, so that the polycube stays embedded, however thin its walls are. If planes may join, edges of parts may touch.
 inline std::vector<double> multiples_in_order_3(const Boundary_mesh_3& mesh, const Polycube_charts_3& charts,
                                                 const std::vector<Vector_3>& images, const double spacing, const bool may_join)
 {

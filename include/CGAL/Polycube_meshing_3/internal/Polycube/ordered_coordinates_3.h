@@ -55,6 +55,7 @@ class Order_of_elements
 public:
   explicit Order_of_elements(const std::size_t n) : m_precedes(n, std::vector<bool>(n, false)) {}
 
+  // Puts an element before another one, with all that follows from this.
   void add(const std::size_t first, const std::size_t second)
   {
     if(precedes(first, second))
@@ -123,7 +124,7 @@ inline double closest_shift_of_integers(const std::vector<double>& weights, cons
 // Distances by which coordinates must at least be larger than others, by the numbers of the smaller and the larger one.
 using Least_distances = std::map<std::pair<std::size_t, std::size_t>, double>;
 
-// Raises coordinates until all are as far apart as they must be. Returns whether they can.
+// Raises coordinates until all are as far apart as they must be. Returns whether this is possible.
 inline bool move_into_order(const Least_distances& distances, std::vector<double>& x)
 {
   for(std::size_t round = 0; round <= x.size(); ++round)

@@ -144,7 +144,7 @@ inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, co
   return result;
 }
 
-// Splits edges that lead through the inside of a chart from one vertex of its border to another.
+// Splits edges inside charts between two vertices of borders: the map cannot move facets whose vertices are all on borders.
 inline void split_between_borders(Drawn_polycube_3& drawn)
 {
   const Boundary_mesh_3& mesh = drawn.surface.mesh;

@@ -89,7 +89,7 @@ private:
   };
 
   // Returns the voxels under the chart of a face.
-  std::vector<std::size_t> chart(const std::size_t face) const
+  std::vector<std::size_t> voxels_of_chart(const std::size_t face) const
   {
     const std::size_t d = direction_of_face(face);
     std::vector<std::size_t> result(1, voxel_of_face(face));
@@ -254,7 +254,7 @@ private:
     {
       if(m_pieces_on_face.count(face) == 0 || visited.count(face) > 0)
         continue;
-      const std::vector<std::size_t> voxels = chart(face);
+      const std::vector<std::size_t> voxels = voxels_of_chart(face);
       for(const std::size_t v : voxels)
         visited.insert(face_of_voxel(v, direction_of_face(face)));
       has_moved = move_best(voxels, direction_of_face(face)) || has_moved;
@@ -282,7 +282,7 @@ private:
           best_gain = g;
           best = is_outward ? layer : -layer;
         }
-        present = chart(face_of_voxel(moved->front(), d));
+        present = voxels_of_chart(face_of_voxel(moved->front(), d));
         if(present.size() != moved->size()) // the chart has been merged with another one
           break;
       }
