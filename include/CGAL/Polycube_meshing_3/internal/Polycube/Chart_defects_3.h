@@ -130,9 +130,7 @@ private:
       std::replace(m_representative.begin(), m_representative.end(), from, to);
   }
 
-  std::size_t chart(const std::size_t side) const { return m_chart[side]; }
-  std::size_t label(const std::size_t side) const { return m_label[side]; }
-  bool separates(const std::size_t side) const { return label(side) != label(opposite(side)); }
+  bool separates(const std::size_t side) const { return m_label[side] != m_label[opposite(side)]; }
 
   // Returns the side that follows on the border of the chart.
   std::size_t next(std::size_t side) const
@@ -150,11 +148,11 @@ private:
       m_characteristic[m_representative[c]] += m_borders.inner_characteristic[c];
     for(std::size_t s = 0; s < m_sides.size(); ++s)
       if(s % 2 == 0 || separates(s))
-        --m_characteristic[chart(s)];
+        --m_characteristic[m_chart[s]];
     for(const std::vector<std::size_t>& sides : m_borders.sides_to_corner)
       for(auto it = sides.begin(); it != sides.end(); ++it)
-        if(std::none_of(sides.begin(), it, [&](const std::size_t s) { return chart(s) == chart(*it); }))
-          ++m_characteristic[chart(*it)];
+        if(std::none_of(sides.begin(), it, [&](const std::size_t s) { return m_chart[s] == m_chart[*it]; }))
+          ++m_characteristic[m_chart[*it]];
   }
 
   // Finds whether a corner remains one, and counts a defect unless all three axes meet there.
@@ -164,13 +162,13 @@ private:
     int number_of_borders = 0;
     for(const std::size_t s : sides)
     {
-      has_axis[axis_of_direction(label(s))] = true;
+      has_axis[axis_of_direction(m_label[s])] = true;
       number_of_borders += separates(s);
     }
     m_is_corner[m_sides[sides.front()].last] = number_of_borders > 2;
     if(number_of_borders > 2 && has_axis != std::array<bool, 3>{true, true, true})
       for(const std::size_t s : sides)
-        m_defects[chart(s)] += separates(s);
+        m_defects[m_chart[s]] += separates(s);
   }
 
   // Finds the last side and the direction of the chain that begins with a side at a corner.
@@ -184,7 +182,7 @@ private:
       m_is_followed[s] = true;
     }
     m_last[side] = s;
-    m_direction[side] = direction_of_edge(label(side), label(opposite(side)), m_borders.corners[m_sides[side].first],
+    m_direction[side] = direction_of_edge(m_label[side], m_label[opposite(side)], m_borders.corners[m_sides[side].first],
                                           m_borders.corners[m_sides[s].last]);
   }
 
@@ -196,16 +194,16 @@ private:
     {
       is_visited[s] = true;
       const Eigen::Vector3i d = m_direction[s], e = m_direction[next(m_last[s])];
-      m_defects[chart(side)] += d.isZero() || e == -d;
-      turning += d.cross(e)[axis_of_direction(label(side))] * sign_of_direction(label(side));
+      m_defects[m_chart[side]] += d.isZero() || e == -d;
+      turning += d.cross(e)[axis_of_direction(m_label[side])] * sign_of_direction(m_label[side]);
     }
-    m_turnings[chart(side)].add(turning);
+    m_turnings[m_chart[side]].add(turning);
   }
 
   // Counts the border along a chain that has lost its corners.
   void follow_closed_chain(const std::size_t side)
   {
-    add_border_without_corner(chart(side));
+    add_border_without_corner(m_chart[side]);
     for(std::size_t s = side; !m_is_followed[s]; s = next(s))
       m_is_followed[s] = true;
   }

@@ -75,7 +75,7 @@ public:
     m_defects = Chart_defects_3(m_borders, m_labels).count();
     m_is_beside_invalid.resize(n);
     for(const Halfedge h : mesh.halfedges())
-      if(!is_valid(chart(h)))
+      if(m_defects[chart(h)] != 0)
         m_is_beside_invalid[chart(h)] = m_is_beside_invalid[chart(mesh.opposite(h))] = true;
   }
 
@@ -87,7 +87,6 @@ public:
   int axis(const std::size_t chart) const { return axis_of_direction(m_labels[chart]); }
   const std::vector<Polycube_chain_3>& chains() const { return m_chains; }
   const std::vector<Vertex>& corners() const { return m_corners; }
-  bool is_valid(const std::size_t chart) const { return m_defects[chart] == 0; }
   int number_of_defects() const { return std::accumulate(m_defects.begin(), m_defects.end(), 0); }
 
   // Returns the number of defects if the charts had other labels.
@@ -97,7 +96,7 @@ public:
     return std::accumulate(n.begin(), n.end(), 0);
   }
 
-  // Returns whether a chart is not valid, or a neighbor of such a chart.
+  // Returns whether a chart or a neighbor of it has defects.
   bool is_beside_invalid(const std::size_t chart) const { return m_is_beside_invalid[chart]; }
 
   std::vector<Vertex> vertices(const Polycube_chain_3& chain) const

@@ -58,7 +58,7 @@ public:
     if(const double volume = m_map.volume(x); volume > 0)
       x *= (std::max)(1., std::cbrt(Polygon_mesh_processing::volume(m_mesh) / volume));
     if(grid.spacing > 0)
-      round_to_planes(grid, x);
+      round_to_planes(at_largest_faces(grid, x), x);
     return { x.data(), x.data() + x.size() };
   }
 
@@ -166,10 +166,8 @@ private:
       }
   }
 
-  // Moves coordinates to planes of the grid, one after the other, the closest first. The others go along such that the sum of
-  // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known. The origin of a grid
-  // that may move is first set to the planes with the largest faces, wherever the body lies.
-  void round_to_planes(Plane_grid_3 grid, VectorXd& x) const
+  // Returns a grid whose origin, if it may move, is on the planes with the largest faces along each axis, wherever the body lies.
+  Plane_grid_3 at_largest_faces(Plane_grid_3 grid, const VectorXd& x) const
   {
     Vector_3 largest = Vector_3::Zero();
     for(Eigen::Index g = 0; g < x.size() && grid.may_move; ++g)
@@ -178,6 +176,13 @@ private:
         largest[axis] = m_planes.areas()[g];
         grid.origin[axis] = x[g];
       }
+    return grid;
+  }
+
+  // Moves coordinates to planes of the grid, one after the other, the closest first. The others go along such that the sum of
+  // squares stays the least, as the mean of a normal distribution does if one of its numbers becomes known.
+  void round_to_planes(const Plane_grid_3& grid, VectorXd& x) const
+  {
     const std::unique_ptr<Symmetric_sparse_solver> solver = factorized(sum_of_squares(x, x).A);
     Matrix covariance(x.size(), x.size());
     for(Eigen::Index g = 0; g < x.size(); ++g)

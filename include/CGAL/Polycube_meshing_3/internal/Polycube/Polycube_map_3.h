@@ -89,7 +89,7 @@ public:
     if(m_surface.spacing > 0)
       move_to_multiples();
     const auto faces = m_mesh.faces();
-    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return is_positive(f); }))
+    if(!std::all_of(faces.begin(), faces.end(), [this](const Face f) { return has_positive_image(f); }))
       return ERROR_BOUNDARY_MAP_NOT_BIJECTIVE;
     Boundary_mesh_3 image = m_mesh;
     set_points(image, m_images);
@@ -148,7 +148,7 @@ private:
         relaxation->run(m_images, budget);
     m_flipped_faces.clear();
     for(const Face f : m_mesh.faces())
-      if(!is_positive(f))
+      if(!has_positive_image(f))
         m_flipped_faces.push_back(f);
   }
 
@@ -205,7 +205,7 @@ private:
     for(const Face f : m_mesh.faces())
     {
       const auto around = CGAL::vertices_around_face(m_mesh.halfedge(f), m_mesh);
-      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return m_is_held[v] == all; }) && !is_positive(f))
+      if(std::all_of(around.begin(), around.end(), [&](const auto v) { return m_is_held[v] == all; }) && !has_positive_image(f))
         m_flipped_faces.push_back(f);
     }
   }
@@ -231,7 +231,7 @@ private:
     }
   }
 
-  bool is_positive(const Face f) const
+  bool has_positive_image(const Face f) const
   {
     const auto [u, v] = m_charts.plane_axes(m_charts.chart_of_face()[f]);
     const auto point = [this, u = u, v = v](const Boundary_mesh_3::Vertex_index w)

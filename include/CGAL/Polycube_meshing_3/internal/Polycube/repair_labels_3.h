@@ -93,7 +93,7 @@ inline bool straighten_chains_3(const Boundary_mesh_3& mesh, const Polycube_char
   return std::find(has_changed.begin(), has_changed.end(), true) != has_changed.end();
 }
 
-// Gives charts that are not valid, and their neighbors, other labels, each at most once: the cheapest label with which there
+// Gives charts with defects, and their neighbors, other labels, each at most once: the cheapest label with which there
 // are fewer defects. Returns whether a label changed; none does if the budget is exhausted.
 inline bool relabel_invalid_charts(const Polycube_charts_3& charts, const std::vector<Chart_relabelling_3>& changes,
                            std::vector<std::size_t>& labels, const Budget& budget)
@@ -121,7 +121,7 @@ inline bool relabel_invalid_charts(const Polycube_charts_3& charts, const std::v
   return true;
 }
 
-// Makes all charts valid: straightens their borders, and relabels invalid charts or their neighbors. Returns whether all are
+// Makes all charts valid: straightens their borders, and relabels charts with defects or their neighbors. Returns whether all are
 // valid, and at least six.
 inline bool repair_labels_3(const Boundary_mesh_3& mesh, const Normal_labels_3& costs, const double smoothing,
                             std::vector<std::size_t>& labels, const Budget& budget)
