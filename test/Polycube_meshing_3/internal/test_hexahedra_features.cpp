@@ -360,7 +360,7 @@ TEST_CASE("The layer along the boundary stays where hexahedra do not fit the ang
   for(std::size_t f = 0; f < mesh.facets.size(); ++f)
     CHECK(PM::internal::side_of_facet(mesh, f) < 6);
 
-  const auto edges = PM::internal::edges_of_quadrangles(mesh);
+  const auto edges = PM::internal::boundary_edges_3(mesh);
   const PM::internal::Boundary_graph_3& graph = features->embedding.graph();
   std::size_t number_of_longer_paths = 0;
   for(std::size_t a = 0; a < complex.arcs().size(); ++a)

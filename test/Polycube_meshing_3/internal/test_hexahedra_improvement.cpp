@@ -626,5 +626,5 @@ TEST_CASE("Vertices in a plane of the body normal to an axis have its coordinate
   const double height = 0.1;
   const PM::internal::Body_surface_3 surface({ { 0, 0, height }, { 1, 0, height }, { 0, 1, height } }, { { 0, 1, 2 } }, {});
   for(const double z : { std::nextafter(height, 0.), std::nextafter(height, 1.), height - 1e-9 })
-    CHECK(surface.without_rounding({ 0.3, 0.4, z })[2] == (std::abs(z - height) < 1e-12 ? height : z));
+    CHECK(surface.put_on_planes({ 0.3, 0.4, z })[2] == (std::abs(z - height) < 1e-12 ? height : z));
 }

@@ -148,7 +148,7 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
   if(const Input_check_3 check = check_map_3(problem.soup); check.status != OK)
     return { refused_result(check), {} };
   const Body_with_domain_3 body(problem.soup, problem.is_parallel);
-  const Box_grid_3 grid(body.soup.cells, body.images, body.surface.lines(), problem.spacing);
+  const Box_grid_3 grid(body.soup.cells, body.images, body.surface.edges_of_lines(), problem.spacing);
   if(grid.check().status != OK)
     return { refused_result(grid.check()), {} };
   const Boxes_3 boxes = boxes_of_grid_3(body, grid, budget);

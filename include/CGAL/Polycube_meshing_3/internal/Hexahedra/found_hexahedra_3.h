@@ -188,7 +188,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
 {
   Hexahedra_3& mesh = best.mesh;
   Hexahedral_mesh_result& result = found.result;
-  set_images(body, mesh);
+  update_images(body, mesh);
   found.mesh = hexahedron_soup_of(mesh);
   set_facet_references(body, interfaces, mesh, found.mesh);
   const Body_complex_3 complex(body.soup, body.points);

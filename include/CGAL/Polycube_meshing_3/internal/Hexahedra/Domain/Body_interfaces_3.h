@@ -21,7 +21,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Patches that meet at a place, from 1; 0 stands for the boundary of the body.
+// Numbers of patches that meet at a vertex, edge or corner, from 1; 0 stands for the boundary of the body.
 using Patches_3 = std::set<std::size_t>;
 
 // Surfaces between the subdomains of a body, cut into smooth patches of two subdomains each, which end at lines: sharp edges,
@@ -42,43 +42,44 @@ public:
   bool empty() const { return m_facets.empty(); }
   const Body_surface_3& boundary() const { return m_boundary; }
 
-  // Returns the corners of lines where just these patches meet.
+  // Returns the points of the corners where exactly these patches meet.
   const std::vector<Vector_3>& corners(const Patches_3& patches) { return m_corners[patches]; }
 
+  // Returns the patches between each pair of subdomains that have an interface.
   const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
 
-  // Returns the patch of a quadrangle between a pair of subdomains by its center, normal and width: that of the least sum of its
-  // distance and of the width times 1 minus the cosine between normals. Returns 0 if the subdomains have no interface.
-  std::size_t patch_of_quadrangle(const Vector_3& center, const Vector_3& normal, const double width,
-                                  const Pair& pair)
+  // Returns the patch for a quadrangle between a pair of subdomains, or 0 if these have no interface. Takes the center, the unit
+  // normal and the width of the quadrangle. The patch has the least distance plus width times (1 - cosine between normals).
+  std::size_t patch_of_quadrangle(const Vector_3& center, const Vector_3& normal, const double width, const Pair& pair)
   {
     std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };
-    const auto consider = [&](const std::size_t patch)
+    const auto take_if_better = [&](const std::size_t patch)
     {
       const Body_surface_3& candidate = surface({ patch });
-      if(candidate.distance_of_box(center) > best.first)
+      if(candidate.distance_from_bbox(center) > best.first)
         return;
       const double distance = (candidate.nearest(center, Freedom_3::SURFACE) - center).norm();
       best = (std::min)(best, { distance + width * (1 - candidate.normal(center).dot(normal)), patch });
     };
     if(const auto found = m_patches_of_pair.find(pair); found != m_patches_of_pair.end())
     {
-      consider(m_patch_of_facet.at(sorted(surface(found->second).nearest_facet(center))));
+      take_if_better(m_patch_of_facet.at(sorted(surface(found->second).nearest_facet(center))));
       for(const std::size_t patch : found->second)
-        consider(patch);
+        take_if_better(patch);
     }
     return best.second;
   }
 
-  // Returns the interface of two subdomains; all interfaces if they have none.
+  // Returns the surface of the patches between two subdomains; the surface of all patches if there is none between these.
   const Body_surface_3& surface_of_pair(const Pair& pair)
   {
     const auto found = m_patches_of_pair.find(pair);
     return surface(found != m_patches_of_pair.end() ? found->second : Patches_3(m_patches.begin(), m_patches.end()));
   }
 
-  // Returns a surface of the patches that meet at a place. Its lines are those where just these meet, or, if there is none, those
-  // where some of them meet. On the boundary they are those where all of these end, or, if there is none, those where one does.
+  // Returns the surface of some patches. Its lines are the edges where exactly these patches meet. If there is no such edge, its
+  // lines are the edges where only patches among these meet. With 0 among the patches, its lines are edges on the boundary where
+  // all of these patches end, perhaps with others, or, if there is no such edge, where one of them ends.
   const Body_surface_3& surface(const Patches_3& patches)
   {
     std::unique_ptr<Body_surface_3>& result = m_surfaces[patches];
@@ -89,29 +90,30 @@ public:
         if(patches.count(m_patches[f]) > 0)
           facets.push_back(m_facets[f]);
       const bool is_on_boundary = patches.count(0) > 0;
-      std::vector<std::array<std::size_t, 2> > best, others;
+      std::vector<std::array<std::size_t, 2> > lines_of_all, lines_of_some;
       for(const auto& [edge, meeting] : m_lines)
       {
         if((meeting.count(0) > 0) != is_on_boundary)
           continue;
-        const std::size_t number = number_of_common(meeting, patches);
+        const std::size_t number = number_of_common_patches(meeting, patches);
         if(number == patches.size() && (is_on_boundary || meeting == patches))
-          best.push_back(edge);
+          lines_of_all.push_back(edge);
         if(is_on_boundary ? number > 1 : number == meeting.size())
-          others.push_back(edge);
+          lines_of_some.push_back(edge);
       }
-      result = std::make_unique<Body_surface_3>(m_points, facets, best.empty() ? others : best);
+      result = std::make_unique<Body_surface_3>(m_points, facets, lines_of_all.empty() ? lines_of_some : lines_of_all);
     }
     return *result;
   }
 
-  // Returns whether there are lines where just these patches meet.
+  // Returns whether there is an edge where exactly these patches meet.
   bool has_line(const Patches_3& patches) const { return m_patches_at_lines.count(patches) > 0; }
 
 private:
-  static std::size_t number_of_common(const Patches_3& some, const Patches_3& others)
+  static std::size_t number_of_common_patches(const Patches_3& some, const Patches_3& others)
   { return std::count_if(some.begin(), some.end(), [&](const std::size_t patch) { return others.count(patch) > 0; }); }
 
+  // Collects the facets between two subdomains. Side 4 c + i is facet i of cell c.
   void collect_facets(const Tetrahedron_soup_3& soup)
   {
     const auto facet_of_side = [&](const std::size_t side) { return facet_of_cell(soup.cells[side / 4], side % 4); };
@@ -131,6 +133,7 @@ private:
     });
   }
 
+  // Joins facets of the same two subdomains to patches, across edges of two facets that are not sharp.
   void number_patches()
   {
     const auto position = [this](const std::size_t v) { return m_points[v]; };
@@ -195,7 +198,7 @@ private:
   std::vector<std::pair<std::array<std::size_t, 2>, Patches_3> > m_lines;
   std::set<Patches_3> m_patches_at_lines;
   std::map<Patches_3, std::vector<Vector_3> > m_corners; // by the patches that meet there
-  std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // that have been asked for
+  std::map<Patches_3, std::unique_ptr<Body_surface_3> > m_surfaces; // results of surface(), made at the first call
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -26,7 +26,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the triangle of three points, for searches and distances.
+// Returns the triangle of three of the points as a CGAL triangle, for searches and distances.
 inline AABB_trees_3::Kernel::Triangle_3 triangle_of(const std::vector<Vector_3>& points,
                                                     const std::array<std::size_t, 3>& vertices)
 { return { exact_point(points[vertices[0]]), exact_point(points[vertices[1]]), exact_point(points[vertices[2]]) }; }
@@ -34,11 +34,12 @@ inline AABB_trees_3::Kernel::Triangle_3 triangle_of(const std::vector<Vector_3>&
 // Freedom of a vertex: anywhere, on the surface, along a line, or not at all.
 enum class Freedom_3 { SPACE, SURFACE, LINE, NONE };
 
-// Boundary of a body that is mapped to a domain whose facets are orthogonal to the axes, and its lines: the sharp edges that
-// are mapped to edges along an axis, which edges of the domain are, and some in its faces. Marked corners stay wherever they are.
+// Surface with lines, for nearest points on both: the boundary of a body that is mapped to a domain, or some of its patches.
 class Body_surface_3
 {
 public:
+  // Takes the boundary of the body. Its lines are the sharp edges whose images are along an axis: they are edges of the domain, or
+  // in a face of it. Marked corners of the body stay wherever they are.
   explicit Body_surface_3(const Mapped_soup_3& soup)
     : m_facets(boundary_facets_3(soup.cells))
   {
@@ -51,22 +52,23 @@ public:
     find_corners(soup.corners, points);
   }
 
-  // Takes any facets, and edges as lines.
+  // Takes any facets, and edges as lines. Such a surface has neither marked corners nor ends of lines, nor edges_of_lines().
   Body_surface_3(const std::vector<Vector_3>& points, std::vector<std::array<std::size_t, 3> > facets,
                  const std::vector<std::array<std::size_t, 2> >& lines)
     : m_facets(std::move(facets))
   { build(points, lines); }
 
+  // Returns the points of the vertices of all facets.
   const std::vector<Vector_3>& vertices() const { return m_vertices; }
 
-  // Returns the edges of the lines, as points of the soup.
-  const std::vector<std::array<std::size_t, 2> >& lines() const { return m_edges_of_lines; }
+  // Returns the edges of the lines, with indices of points of the body.
+  const std::vector<std::array<std::size_t, 2> >& edges_of_lines() const { return m_edges_of_lines; }
 
-  // Returns the marked corners on the boundary, as points of the soup.
+  // Returns the marked corners on the boundary, as indices of points of the body.
   const std::set<std::size_t>& corners() const { return m_corners; }
 
-  // Returns the freedom of a vertex of the boundary. Its image may be on an edge or in a corner of the domain: the vertex is held
-  // there only if the body has a line there, too, and stays only in marked corners and where lines end, turn or meet.
+  // Returns the freedom of a vertex of the boundary at p: NONE in marked corners and where lines end, turn or meet, LINE on other
+  // points of lines, and SURFACE elsewhere, even if the image of the vertex is on an edge or in a corner of the domain.
   Freedom_3 freedom(const Vector_3& p) const
   {
     const bool is_end = std::any_of(m_ends.begin(), m_ends.end(), [&](const Vector_3& end) { return are_equal(end, p); });
@@ -81,15 +83,15 @@ public:
 
   bool has_lines() const { return !m_segments.empty(); }
 
-  // Returns the point nearest to p among those where a vertex may be.
+  // Returns the point nearest to p among those where a vertex of this freedom may be: p itself for SPACE and NONE.
   Vector_3 nearest(const Vector_3& p, const Freedom_3 freedom) const
   {
     return freedom == Freedom_3::SURFACE ? to_vector(m_surface.closest_point(exact_point(p)))
          : freedom == Freedom_3::LINE ? to_vector(m_lines.closest_point(exact_point(p))) : p;
   }
 
-  // Returns the point of the surface nearest to p, with the normal there, or of the lines, with their direction.
-  Surface_point_3 nearest_point(const Vector_3& p, const Freedom_3 freedom) const
+  // Returns the point of the surface nearest to p, with the normal there, or for LINE that of the lines, with their direction.
+  Surface_point_3 nearest_with_direction(const Vector_3& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::LINE)
     {
@@ -100,8 +102,8 @@ public:
     return { coordinates(to_vector(point)), coordinates(normal(*triangle)) };
   }
 
-  // Returns a point with the very coordinate of each plane normal to an axis that holds a facet and, up to rounding, the point.
-  Vector_3 without_rounding(Vector_3 p) const
+  // Returns p, put exactly on each plane that is normal to an axis, holds a facet, and holds p up to rounding.
+  Vector_3 put_on_planes(Vector_3 p) const
   {
     for(int axis = 0; axis < 3; ++axis)
       if(const auto plane = m_planes[axis].lower_bound(p[axis] - m_rounding_of_planes);
@@ -114,24 +116,24 @@ public:
   const std::array<std::size_t, 3>& nearest_facet(const Vector_3& p) const
   { return m_facets[m_surface.closest_point_and_primitive(exact_point(p)).second - m_triangles.begin()]; }
 
-  // Returns the normal of the facet nearest to a point.
+  // Returns the unit normal of the facet nearest to a point.
   Vector_3 normal(const Vector_3& p) const
   { return normal(*m_surface.closest_point_and_primitive(exact_point(p)).second); }
 
   // Returns the distance of a point from the box around the surface, a lower bound of the distance from the surface.
-  double distance_of_box(const Vector_3& p) const
+  double distance_from_bbox(const Vector_3& p) const
   {
     const Bbox_3 box = m_surface.bbox();
     const Vector_3 lower(box.xmin(), box.ymin(), box.zmin()), upper(box.xmax(), box.ymax(), box.zmax());
     return (lower - p).cwiseMax(p - upper).cwiseMax(Vector_3::Zero()).norm();
   }
 
-  // Returns the projector onto the directions in which a vertex may move from a point where it may be.
+  // Returns the projector onto the directions in which a vertex of this freedom at p may move; p is where the vertex may be.
   Matrix_3 projector(const Vector_3& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::SPACE || freedom == Freedom_3::NONE)
       return freedom == Freedom_3::SPACE ? Matrix_3::Identity() : Matrix_3::Zero();
-    const Vector_3 d = to_vector(nearest_point(p, freedom).direction).stableNormalized();
+    const Vector_3 d = to_vector(nearest_with_direction(p, freedom).direction).stableNormalized();
     const Matrix_3 along = Matrix_3::outer_product(d, d);
     return freedom == Freedom_3::LINE ? along : Matrix_3::Identity() - along;
   }
@@ -145,6 +147,7 @@ private:
       m_ends.push_back(points[v]);
   }
 
+  // Finds the marked corners on the boundary. No vertex moves away from them, as from ends of lines.
   void find_corners(const std::vector<std::size_t>& marked, const std::vector<Vector_3>& points)
   {
     const std::vector<bool> is_on_boundary = used_points(m_facets, points.size());
@@ -155,6 +158,7 @@ private:
 
   using Kernel = AABB_trees_3::Kernel;
 
+  // Collects what nearest points and planes are found by, and sets the bounds of rounding. Takes the edges of the lines.
   void build(const std::vector<Vector_3>& points, const std::vector<std::array<std::size_t, 2> >& lines)
   {
     std::set<std::size_t> vertices;
@@ -175,24 +179,22 @@ private:
     m_surface.accelerate_distance_queries();
     m_lines.rebuild(m_segments.begin(), m_segments.end());
     const Bbox_3 box = m_surface.bbox();
-    m_rounding = 1e-9 * length_3({ box.x_span(), box.y_span(), box.z_span() });
+    m_rounding = 1e-9 * length_3({ box.x_span(), box.y_span(), box.z_span() }); // a guess
     for(const double x : { box.xmin(), box.xmax(), box.ymin(), box.ymax(), box.zmin(), box.zmax() })
-      m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x));
+      m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x)); // a guess
   }
 
   static Vector_3 normal(const Kernel::Triangle_3& triangle)
-  {
-    return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized();
-  }
+  { return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized(); }
 
   std::vector<std::array<std::size_t, 3> > m_facets;
   std::vector<Vector_3> m_vertices;
   AABB_trees_3::Triangles m_triangles; // of the facets
   std::vector<std::array<std::size_t, 2> > m_edges_of_lines;
   AABB_trees_3::Segments m_segments; // of the lines
-  std::vector<Vector_3> m_ends;
+  std::vector<Vector_3> m_ends; // of lines, and marked corners
   std::set<std::size_t> m_corners;
-  double m_rounding; // distance of points on lines from the lines, by rounding
+  double m_rounding; // largest distance between points that count as equal
   std::array<std::set<double>, 3> m_planes; // the coordinates of facets that are normal to an axis
   double m_rounding_of_planes = 0;
   AABB_trees_3::Of_triangles m_surface;

@@ -57,15 +57,16 @@ struct Body_with_domain_3
   const Volume_map_3 map;
   const bool is_parallel; // may threads share the work?
 
-  Body_with_domain_3(const Mapped_soup_3& s, const bool may_share)
+  Body_with_domain_3(const Mapped_soup_3& s, const bool may_use_threads)
     : soup(s), points(vectors_of(s.points)), images(vectors_of(s.images)), surface(s), map(s.points, s.cells, s.images),
-      is_parallel(may_share)
+      is_parallel(may_use_threads)
   {}
 };
 
 using Locations_3 = std::vector<std::optional<Volume_map_3::Location> >;
 
-// Returns the preimages of points, in blocks between which the budget is asked; none at all once it is exhausted.
+// Returns the preimage of each point of the domain, without a value for points outside. Asks the budget between blocks of points;
+// returns an empty vector once the budget is exhausted.
 inline Locations_3 preimages_3(const Body_with_domain_3& body, const std::vector<Vector_3>& points, const Budget& budget)
 {
   constexpr std::size_t size_of_block = 4096; // a guess
@@ -86,7 +87,8 @@ inline Locations_3 preimages_3(const Body_with_domain_3& body, const std::vector
   return result;
 }
 
-// Returns the hexahedra of a domain, pulled back to the body; none once the budget is exhausted.
+// Returns the hexahedra of a domain with their vertices at the preimages in the body, and the old points as images. Returns no
+// hexahedra once the budget is exhausted.
 inline Hexahedra_3 pulled_back(const Body_with_domain_3& body, const Hexahedra_3& domain, const Budget& budget)
 {
   const Locations_3 preimages = preimages_3(body, domain.points, budget);
@@ -99,12 +101,13 @@ inline Hexahedra_3 pulled_back(const Body_with_domain_3& body, const Hexahedra_3
   return result;
 }
 
-// Finds the images of vertices. Coordinates that differ from the old ones by rounding alone, as on planes, keep their value.
-inline void set_images(const Body_with_domain_3& body, Hexahedra_3& mesh)
+// Sets the images of vertices anew from their points. Coordinates that differ from the old ones by rounding alone, as on planes,
+// keep their value.
+inline void update_images(const Body_with_domain_3& body, Hexahedra_3& mesh)
 {
   double rounding = 0;
   for(const Vector_3& q : mesh.images)
-    rounding = (std::max)(rounding, 1e-14 * q.cwiseAbs().maxCoeff());
+    rounding = (std::max)(rounding, 1e-14 * q.cwiseAbs().maxCoeff()); // a guess
   for_each_index(body.is_parallel, 0, mesh.points.size(), [&](const std::size_t v)
   {
     if(const auto image = body.map.nearest_image(exact_point(mesh.points[v])))
@@ -114,13 +117,13 @@ inline void set_images(const Body_with_domain_3& body, Hexahedra_3& mesh)
   });
 }
 
-// Gives vertices of the boundary in planes normal to an axis, as those of symmetry, the coordinate of the plane.
+// Puts vertices of the boundary exactly on planes of the surface that are normal to an axis, as those of symmetry.
 inline void put_on_planes(const Body_surface_3& surface, Hexahedra_3& mesh)
 {
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
     if(is_outer[v])
-      mesh.points[v] = surface.without_rounding(mesh.points[v]);
+      mesh.points[v] = surface.put_on_planes(mesh.points[v]);
 }
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -14,6 +14,7 @@
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
+#include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/scaled_jacobians.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Input_check_3.h>
 
 #include <limits>
@@ -22,8 +23,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Collects the boundary of boxes in a domain. Two quadrangles are of one face if they share an edge and are normal to the
-// same direction.
+// Sets the quadrangles of the boundary of boxes, with their hexahedra and faces (from 1). Two quadrangles are of one face if they
+// share an edge and their outward normals have the same direction.
 inline void set_facets(Hexahedra_3& domain)
 {
   std::vector<std::pair<std::array<std::size_t, 3>, std::size_t> > edges; // vertices and direction, quadrangle
@@ -51,13 +52,13 @@ inline void set_facets(Hexahedra_3& domain)
     domain.polycube_faces.push_back(1 + number);
 }
 
-// Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes: each plane of a facet is one of the
-// grid, those through lines along the axes are where there is room for them, and between two of them planes are put at equal
-// distances near the spacing. So no box is partly inside the domain.
+// Grid of boxes that fits a domain whose boundary facets are orthogonal to the axes. The planes of facets are planes of the grid.
+// Therefore, no box is partly inside the domain. Planes through lines in faces are added if there is room. Between two of these
+// planes, others are at equal distances near the spacing.
 class Box_grid_3
 {
 public:
-  // Finds the planes for the domain, the image of the cells, and for lines in its faces.
+  // Takes tetrahedra whose images are the domain, the images of points, and edges of lines in faces. check() says if that fails.
   Box_grid_3(const std::vector<std::array<std::size_t, 4> >& cells, const std::vector<Vector_3>& images,
              const std::vector<std::array<std::size_t, 2> >& lines, const double spacing)
   {
@@ -69,30 +70,24 @@ public:
       std::sort(planes.begin(), planes.end());
       planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
     }
-    add_planes_of(lines, images, spacing);
-    if(check_number_of_boxes(spacing))
+    add_planes_of_lines(lines, images, spacing);
+    if(allows_number_of_boxes(spacing))
       for(std::size_t axis = 0; axis < 3; ++axis)
         divide(axis, spacing);
   }
 
   const Input_check_3& check() const { return m_check; }
 
-  // Returns the boxes inside. `are_inside` takes all centers at once and returns a value for each, true inside, or no values
-  // if it has been interrupted; then there are no boxes.
+  // Returns the boxes inside, in the order of their centers, without references. `are_inside` takes the centers of all boxes and
+  // returns a value for each, true inside, or no values if it has been interrupted. Then there are no boxes.
   template <typename Predicate>
   Hexahedra_3 boxes(const Predicate& are_inside) const
   {
-    std::vector<Vector_3> centers;
-    for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
-      for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
-        for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
-          centers.emplace_back(middle(0, x), middle(1, y), middle(2, z));
-    const auto is_inside = are_inside(centers);
-
+    const auto is_inside = are_inside(centers());
     Hexahedra_3 result;
     constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-    std::vector<std::size_t> number(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none);
-    std::map<std::array<std::size_t, 3>, std::size_t> blocks;
+    std::vector<std::size_t> vertices(m_planes[0].size() * m_planes[1].size() * m_planes[2].size(), none); // at points of the grid
+    std::map<std::array<std::size_t, 3>, std::size_t> blocks; // numbers, by the first boxes along each axis
     for(std::size_t i = 0; i < is_inside.size(); ++i)
     {
       if(!is_inside[i])
@@ -102,16 +97,14 @@ public:
       std::array<std::size_t, 8> cell;
       for(std::size_t k = 0; k < 8; ++k)
       {
-        constexpr std::size_t offset[8][3] = { {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                                               {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1} };
-        const std::size_t x = box[0] + offset[k][0], y = box[1] + offset[k][1], z = box[2] + offset[k][2];
-        std::size_t& n = number[(x * (n_y + 1) + y) * (n_z + 1) + z];
-        if(n == none)
+        const std::size_t x = box[0] + is_upper(k, 0), y = box[1] + is_upper(k, 1), z = box[2] + is_upper(k, 2);
+        std::size_t& v = vertices[(x * (n_y + 1) + y) * (n_z + 1) + z];
+        if(v == none)
         {
-          n = result.points.size();
+          v = result.points.size();
           result.points.emplace_back(m_planes[0][x], m_planes[1][y], m_planes[2][z]);
         }
-        cell[k] = n;
+        cell[k] = v;
       }
       result.cells.push_back(cell);
       std::array<std::size_t, 3> block, index;
@@ -128,6 +121,18 @@ public:
   }
 
 private:
+  // Returns the centers of all boxes; z changes fastest.
+  std::vector<Vector_3> centers() const
+  {
+    std::vector<Vector_3> result;
+    for(std::size_t x = 0; x + 1 < m_planes[0].size(); ++x)
+      for(std::size_t y = 0; y + 1 < m_planes[1].size(); ++y)
+        for(std::size_t z = 0; z + 1 < m_planes[2].size(); ++z)
+          result.emplace_back(middle(0, x), middle(1, y), middle(2, z));
+    return result;
+  }
+
+  // Adds the plane of a facet. If the facet is not orthogonal to an axis, sets the check and returns false.
   bool add_plane_of(const std::array<std::size_t, 3>& facet, const std::vector<Vector_3>& images)
   {
     const Vector_3 &p = images[facet[0]], &q = images[facet[1]], &r = images[facet[2]];
@@ -142,9 +147,9 @@ private:
     return false;
   }
 
-  // Adds the planes across lines that leave room for a part of the spacing on both sides.
-  void add_planes_of(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<Vector_3>& images,
-                     const double spacing)
+  // Adds the planes through edges of lines that leave room for a part of the spacing on both sides.
+  void add_planes_of_lines(const std::vector<std::array<std::size_t, 2> >& lines, const std::vector<Vector_3>& images,
+                           const double spacing)
   {
     constexpr double smallest_part = 0.2; // a guess; less than lines of polycubes leave
     for(std::size_t axis = 0; axis < 3; ++axis)
@@ -166,8 +171,8 @@ private:
     }
   }
 
-  // Refuses more boxes than memory has room for: 4 kB a box while hexahedra are improved, if all boxes are inside.
-  bool check_number_of_boxes(const double spacing)
+  // Returns whether memory has room for all boxes: 4 kB each while hexahedra are improved. Otherwise, sets the check.
+  bool allows_number_of_boxes(const double spacing)
   {
     constexpr double maximum_number = maximum_number_of_boxes, gigabytes_of_box = 4e-6;
     constexpr double infinity = (std::numeric_limits<double>::infinity)();
@@ -190,6 +195,7 @@ private:
     return false;
   }
 
+  // Returns the number of all boxes, inside or not, that the planes of faces and lines have for a spacing.
   double number_of_boxes(const double spacing) const
   {
     double product = 1;
@@ -206,9 +212,7 @@ private:
   }
 
   static double number_of_parts(const double length, const double spacing)
-  {
-    return (std::max)(1., std::round(length / spacing));
-  }
+  { return (std::max)(1., std::round(length / spacing)); }
 
   // Divides the intervals between planes into parts near the spacing, and finds the first box of each block: planes of lines begin
   // no block. Must be called once, after all planes have been added.
@@ -216,24 +220,23 @@ private:
   {
     const std::vector<double> planes = m_planes[axis];
     m_planes[axis].resize(planes.empty() ? 0 : 1);
-    std::size_t first = 0;
+    std::size_t first_of_block = 0;
     for(std::size_t i = 1; i < planes.size(); ++i)
     {
       const double n = number_of_parts(planes[i] - planes[i - 1], spacing);
       if(m_planes_of_lines[axis].count(planes[i - 1]) == 0)
-        first = m_first_of_block[axis].size();
+        first_of_block = m_first_of_block[axis].size();
       for(double k = 1; k <= n; ++k)
       {
         m_planes[axis].push_back(k == n ? planes[i] : planes[i - 1] + (planes[i] - planes[i - 1]) * (k / n));
-        m_first_of_block[axis].push_back(first);
+        m_first_of_block[axis].push_back(first_of_block);
       }
     }
   }
 
+  // Returns the coordinate between a plane and the next one.
   double middle(const std::size_t axis, const std::size_t i) const
-  {
-    return m_planes[axis][i] + (m_planes[axis][i + 1] - m_planes[axis][i]) / 2;
-  }
+  { return m_planes[axis][i] + (m_planes[axis][i + 1] - m_planes[axis][i]) / 2; }
 
   std::array<std::vector<double>, 3> m_planes; // coordinates of planes, along each axis
   std::array<std::set<double>, 3> m_planes_of_lines; // those of lines alone, which divide no block

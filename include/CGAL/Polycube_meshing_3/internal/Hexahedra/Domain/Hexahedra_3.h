@@ -70,6 +70,7 @@ struct Quadrangle_of_hexahedron
   { return std::tie(q.cell, q.side) < std::tie(r.cell, r.side); }
 };
 
+// Returns the vertices of a quadrangle, counterclockwise as seen from outside of its hexahedron.
 template <typename Hexahedra>
 std::array<std::size_t, 4> vertices_of(const Hexahedra& mesh, const Quadrangle_of_hexahedron& quadrangle)
 {
@@ -88,6 +89,7 @@ inline void add_cell(const std::array<std::size_t, 8>& vertices, const std::size
   mesh.cell_references.push_back(reference);
 }
 
+// Adds a quadrangle of the boundary.
 inline void add_facet(const Quadrangle_of_hexahedron& quadrangle, const std::size_t polycube_face, Hexahedra_3& mesh)
 {
   mesh.facets.push_back(vertices_of(mesh, quadrangle));
@@ -129,12 +131,12 @@ std::size_t side_of_facet(const Hexahedra& mesh, const std::size_t f)
   return side;
 }
 
-// Returns an edge of a quadrangle, the smaller vertex first.
+// Returns the edge of a quadrangle from its vertex i to the next one, both modulo 4; the smaller vertex comes first.
 inline std::array<std::size_t, 2> edge_of_quadrangle(const std::array<std::size_t, 4>& quadrangle, const std::size_t i)
 { return sorted(std::array<std::size_t, 2>{ quadrangle[i % 4], quadrangle[(i + 1) % 4] }); }
 
-// Returns the edges of the quadrangles of the boundary.
-inline std::set<std::array<std::size_t, 2> > edges_of_quadrangles(const Hexahedra_3& mesh)
+// Returns the edges of the quadrangles of the boundary, the smaller vertex first.
+inline std::set<std::array<std::size_t, 2> > boundary_edges_3(const Hexahedra_3& mesh)
 {
   std::set<std::array<std::size_t, 2> > result;
   for(const std::array<std::size_t, 4>& q : mesh.facets)

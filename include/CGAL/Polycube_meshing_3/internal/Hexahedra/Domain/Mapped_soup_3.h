@@ -18,7 +18,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Map of a complex or of arrays.
+// Tetrahedra of a complex or of arrays, and the image of each point under a map.
 struct Mapped_soup_3 : Tetrahedron_soup_3
 {
   Mapped_soup_3(Tetrahedron_soup_3 soup, std::vector<std::array<double, 3> > images_of_points)

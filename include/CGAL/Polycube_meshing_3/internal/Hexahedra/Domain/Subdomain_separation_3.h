@@ -21,9 +21,9 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Changes subdomains of hexahedra until the surfaces between them are manifolds, each hexahedron to that of a neighbor. A vertex
-// is bad where the hexahedra of a subdomain, or all others with the outside, are not joined by quadrangles. No change cuts a
-// subdomain apart near its hexahedron. (After Latecki, 3D well-composed pictures, 1997, who defines them by such vertices.)
+// Gives hexahedra to the subdomains of neighbors until the surfaces between subdomains are manifolds. A vertex has a defect if
+// quadrangles do not join its hexahedra of a subdomain, or all its other hexahedra together with the outside. No change cuts a
+// subdomain apart near the hexahedron. (After Latecki, 3D well-composed pictures, 1997.)
 class Subdomain_separation_3
 {
 public:
@@ -46,7 +46,7 @@ public:
     });
   }
 
-  // Makes the changes, as long as each of them leaves fewer defects.
+  // Changes the references of hexahedra of the mesh, as long as each change leaves fewer defects.
   void run(const Budget& budget)
   {
     for(bool has_changed = true; has_changed && !budget.is_exhausted(); )
@@ -62,9 +62,11 @@ private:
 
   int& reference(const std::size_t c) { return m_mesh.cell_references[c]; }
 
+  // Returns whether two hexahedra share a quadrangle.
   bool are_neighbors(const std::size_t c, const std::size_t d) const
   { return std::find(m_neighbors[c].begin(), m_neighbors[c].end(), d) != m_neighbors[c].end(); }
 
+  // Returns whether a hexahedron has a quadrangle of the boundary of the mesh at a vertex.
   bool is_at_boundary(const std::size_t c, const std::size_t v) const
   {
     for(std::size_t side = 0; side < 6; ++side)
@@ -73,8 +75,8 @@ private:
     return false;
   }
 
-  // Joins those of some hexahedra that share quadrangles. Leaves room for one more set.
-  Disjoint_sets joined(const std::vector<std::size_t>& cells) const
+  // Returns the sets of hexahedra that quadrangles join, by their indices in `cells`. One more set, cells.size(), stands alone.
+  Disjoint_sets joined_by_quadrangles(const std::vector<std::size_t>& cells) const
   {
     Disjoint_sets sets(cells.size() + 1);
     for(std::size_t i = 0; i < cells.size(); ++i)
@@ -84,14 +86,14 @@ private:
     return sets;
   }
 
-  // Returns the number of parts of hexahedra that quadrangles join. Those that `is_joined` accepts are one part in any case.
+  // Returns the number of parts of hexahedra that quadrangles join. Hexahedra joined to the outside are one part in any case.
   template <typename Predicate>
-  int number_of_parts(const std::vector<std::size_t>& cells, const Predicate& is_joined) const
+  int number_of_parts(const std::vector<std::size_t>& cells, const Predicate& is_joined_to_outside) const
   {
-    Disjoint_sets sets = joined(cells);
+    Disjoint_sets sets = joined_by_quadrangles(cells);
     std::set<std::size_t> parts;
     for(std::size_t i = 0; i < cells.size(); ++i)
-      if(is_joined(cells[i]))
+      if(is_joined_to_outside(cells[i]))
         sets.unite(i, cells.size());
     for(std::size_t i = 0; i < cells.size(); ++i)
       parts.insert(sets.find(i));
@@ -120,8 +122,9 @@ private:
     return result;
   }
 
-  // Returns whether the neighbors of a hexahedron in its subdomain exist, and are joined without it by those that touch it.
-  bool may_leave(const std::size_t c)
+  // Returns whether a hexahedron may leave its subdomain. It must have neighbors there, which remain joined without it by the
+  // hexahedra of the subdomain around it.
+  bool may_leave_subdomain(const std::size_t c)
   {
     std::set<std::size_t> around;
     for(const std::size_t v : m_mesh.cells[c])
@@ -129,7 +132,7 @@ private:
         if(d != c && reference(d) == reference(c))
           around.insert(d);
     const std::vector<std::size_t> cells(around.begin(), around.end());
-    Disjoint_sets sets = joined(cells);
+    Disjoint_sets sets = joined_by_quadrangles(cells);
     std::set<std::size_t> parts;
     for(std::size_t i = 0; i < cells.size(); ++i)
       if(are_neighbors(c, cells[i]))
@@ -137,6 +140,7 @@ private:
     return parts.size() == 1;
   }
 
+  // Returns the sum of the defects at the vertices of a hexahedron.
   int defects_around(const std::size_t cell)
   {
     int sum = 0;
@@ -158,7 +162,7 @@ private:
       for(const std::size_t d : m_neighbors[c])
         if(d != none && reference(d) != reference(c))
           ++numbers[reference(d)];
-      if(numbers.empty() || !may_leave(c))
+      if(numbers.empty() || !may_leave_subdomain(c))
         continue;
       const int old = reference(c), before = defects_around(c);
       for(const auto& [subdomain, number] : numbers)
@@ -181,7 +185,7 @@ private:
 
   Hexahedra_3& m_mesh;
   std::vector<std::vector<std::size_t> > m_cells_at;        // of each vertex
-  std::vector<std::array<std::size_t, 6> > m_neighbors; // of each hexahedron, behind its quadrangles
+  std::vector<std::array<std::size_t, 6> > m_neighbors; // of each hexahedron, by its sides; `none` at the boundary
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

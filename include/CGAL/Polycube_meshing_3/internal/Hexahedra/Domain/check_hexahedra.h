@@ -19,7 +19,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns which of the six quadrangles of a hexahedron has these vertices, or 6 if none has.
+// Returns which of the six quadrangles of a hexahedron has these vertices in any order, or 6 if none has.
 inline std::size_t side_of_quadrangle(const Hexahedron_soup_3& mesh, const std::size_t cell,
                                       const std::array<std::size_t, 4>& vertices)
 {
@@ -29,19 +29,19 @@ inline std::size_t side_of_quadrangle(const Hexahedron_soup_3& mesh, const std::
   return side;
 }
 
-// Returns the subdomains on both sides of a quadrangle of an interface.
+// Returns the subdomains on both sides of the i-th quadrangle of interfaces, the smaller reference first.
 inline std::array<int, 2> subdomains_at_interface(const Hexahedron_soup_3& mesh, const std::size_t i)
 { return { mesh.cell_references[mesh.interface_cells[i][0]], mesh.cell_references[mesh.interface_cells[i][1]] }; }
 
-// Returns the references of quadrangles of interfaces in files that have one number for each: their own ones, or, without them,
-// numbers of pairs of subdomains, in ascending order, that follow all other numbers.
+// Returns the references of quadrangles of interfaces for files in which each quadrangle needs one. If the reference is 0, the
+// quadrangle gets a number of its pair of subdomains. These numbers ascend with the pairs and follow all references.
 inline std::vector<int> references_at_interfaces(const Hexahedron_soup_3& mesh, const std::vector<int>& references_of_boundary)
 {
   int last = 0;
   for(const std::vector<int>& references : { references_of_boundary, mesh.interface_references })
     for(const int reference : references)
       last = (std::max)(last, reference);
-  std::map<std::array<int, 2>, int> numbers;
+  std::map<std::array<int, 2>, int> numbers; // of pairs of subdomains
   for(std::size_t i = 0; i < mesh.interface_facets.size(); ++i)
     if(mesh.interface_references[i] == 0)
       numbers[subdomains_at_interface(mesh, i)] = 0;
@@ -54,7 +54,7 @@ inline std::vector<int> references_at_interfaces(const Hexahedron_soup_3& mesh, 
   return result;
 }
 
-// Throws `Input_error` if arrays do not fit together, so that who writes them may trust their indices.
+// Throws `Input_error` if arrays do not fit together. After this check, writers may trust their indices.
 inline void check_hexahedra(const Hexahedron_soup_3& mesh)
 {
   const std::size_t n = mesh.cells.size(), m = mesh.facets.size();

@@ -41,45 +41,44 @@ using Bernstein_coefficients_3 = std::array<FT, 27>;
 template <typename FT>
 Bernstein_coefficients_3<FT> jacobian_coefficients_3(const Hexahedron_points_3<FT>& points)
 {
-  const auto edge = [&](const std::size_t axis, std::array<std::size_t, 3> at)
+  const auto edge_along = [&](const std::size_t axis, std::array<std::size_t, 3> at)
   {
-    constexpr std::size_t number[2][2][2] = { { {0, 4}, {3, 7} }, { {1, 5}, {2, 6} } };
+    constexpr std::size_t vertex[2][2][2] = { { {0, 4}, {3, 7} }, { {1, 5}, {2, 6} } }; // at each corner of the unit cube
     at[axis] = 1;
-    std::array<FT, 3> result = points[number[at[0]][at[1]][at[2]]];
+    std::array<FT, 3> result = points[vertex[at[0]][at[1]][at[2]]];
     at[axis] = 0;
     for(std::size_t i = 0; i < 3; ++i)
-      result[i] -= points[number[at[0]][at[1]][at[2]]][i];
+      result[i] -= points[vertex[at[0]][at[1]][at[2]]][i];
     return result;
   };
   std::array<std::array<std::array<FT, 3>, 4>, 3> edges; // along each axis, by the positions on both others
   for(std::size_t l = 0; l < 4; ++l)
   {
-    edges[0][l] = edge(0, { 0, l / 2, l % 2 });
-    edges[1][l] = edge(1, { l / 2, 0, l % 2 });
-    edges[2][l] = edge(2, { l / 2, l % 2, 0 });
+    edges[0][l] = edge_along(0, { 0, l / 2, l % 2 });
+    edges[1][l] = edge_along(1, { l / 2, 0, l % 2 });
+    edges[2][l] = edge_along(2, { l / 2, l % 2, 0 });
   }
-  std::array<std::array<FT, 3>, 16> products; // of the edges along both last axes
+  std::array<std::array<FT, 3>, 16> cross_products; // of the edges along both last axes
   for(std::size_t l = 0; l < 16; ++l)
   {
     const std::array<FT, 3>& y = edges[1][l / 4];
     const std::array<FT, 3>& z = edges[2][l % 4];
-    products[l] = { y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0] };
+    cross_products[l] = { y[1] * z[2] - y[2] * z[1], y[2] * z[0] - y[0] * z[2], y[0] * z[1] - y[1] * z[0] };
   }
   Bernstein_coefficients_3<FT> result;
   result.fill(FT(0));
   for(std::size_t l = 0; l < 4; ++l)
     for(std::size_t m = 0; m < 16; ++m)
     {
-      const std::array<FT, 3>& x = edges[0][l];
+      const std::array<FT, 3> &x = edges[0][l], &yz = cross_products[m];
       const std::array<std::size_t, 3> index = { m / 8 + m / 2 % 2, l / 2 + m % 2, l % 2 + m / 4 % 2 };
-      const int parts = static_cast<int>((1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2)); // of the mean
-      result[9 * index[0] + 3 * index[1] + index[2]]
-        += (x[0] * products[m][0] + x[1] * products[m][1] + x[2] * products[m][2]) / parts;
+      const int number_of_triples = static_cast<int>((1 + index[0] % 2) * (1 + index[1] % 2) * (1 + index[2] % 2));
+      result[9 * index[0] + 3 * index[1] + index[2]] += (x[0] * yz[0] + x[1] * yz[1] + x[2] * yz[2]) / number_of_triples;
     }
   return result;
 }
 
-// Returns the distance in memory of coefficients that are neighbors along the axis where neighbors differ most.
+// Returns the step between the indices of neighbors along an axis (9, 3 or 1), for the axis where neighbors differ most.
 template <typename FT>
 std::size_t steepest_step_3(const Bernstein_coefficients_3<FT>& coefficients)
 {
@@ -92,7 +91,7 @@ std::size_t steepest_step_3(const Bernstein_coefficients_3<FT>& coefficients)
   return steepest.second;
 }
 
-// Returns the coefficients on both halves of the cube along this axis, by the algorithm of de Casteljau.
+// Returns the coefficients on both halves of the cube along the axis with this step, by the algorithm of de Casteljau.
 template <typename FT>
 std::array<Bernstein_coefficients_3<FT>, 2> halves_3(const Bernstein_coefficients_3<FT>& coefficients, const std::size_t step)
 {
@@ -109,10 +108,10 @@ std::array<Bernstein_coefficients_3<FT>, 2> halves_3(const Bernstein_coefficient
   return result;
 }
 
-// Returns whether the Bernstein coefficients of a polynomial, with errors up to `error`, prove that it is positive on the closed
-// unit cube. Coefficients at the corners are values, and all coefficients bound the values between them. If they leave the sign
-// open, the cube is halved. A polynomial may touch zero, or nearly so on a whole surface: what many pieces, or a tiny one, leave
-// open counts as not positive.
+// Returns whether a polynomial is positive on the closed unit cube, by its Bernstein coefficients. Returns no value if errors of
+// the coefficients, up to `error`, leave that open; if `error` is 0, there is a value. Coefficients at the corners are values, and
+// all coefficients bound the values between them. If the bounds leave the sign open, the cube is halved. A polynomial may touch
+// zero, or nearly so on a whole surface: what many pieces, or a tiny one, leave open counts as not positive.
 template <typename FT>
 std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>& coefficients, const FT& error)
 {
@@ -143,8 +142,8 @@ std::optional<bool> is_positive_polynomial_3(const Bernstein_coefficients_3<FT>&
   return true;
 }
 
-// Returns whether the Jacobian determinant of a hexahedron is positive all over it: of its own coordinates, by a filter in
-// double precision, and where this is not enough, in rational numbers.
+// Returns whether the Jacobian determinant of a hexahedron is positive all over it. A filter in double precision decides, or, if
+// its errors leave that open, rational numbers.
 inline bool is_positive_hexahedron_3(const Hexahedron_points_3<double>& points)
 {
   for(const std::array<double, 3>& p : points)

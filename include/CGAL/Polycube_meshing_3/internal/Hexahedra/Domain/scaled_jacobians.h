@@ -23,15 +23,15 @@ constexpr std::array<std::array<std::size_t, 4>, 8> corners_of_hexahedron
   = {{ {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
        {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3} }};
 
-// Returns whether a vertex of the unit cube is on its upper side along an axis.
+// Returns whether vertex k of the unit cube, in the order of VTK, is on its upper side along an axis.
 constexpr bool is_upper(const std::size_t k, const std::size_t axis)
 { return axis == 0 ? k % 4 == 1 || k % 4 == 2 : axis == 1 ? k % 4 >= 2 : k >= 4; }
 
-// Returns the axis of the unit cube along which two of its neighboring vertices differ.
+// Returns the axis of the unit cube along which its neighboring vertices k and l differ.
 constexpr int axis_of_edge(const std::size_t k, const std::size_t l)
 { return is_upper(k, 2) != is_upper(l, 2) ? 2 : is_upper(k, 0) != is_upper(l, 0) ? 0 : 1; }
 
-// Calls `f` with the four points of each corner of a hexahedron.
+// Calls `f` with the four vertices of each corner of a hexahedron: its own vertex first, then the neighbors.
 template <typename Function>
 void for_each_corner(const std::array<std::size_t, 8>& cell, const Function& f)
 {
@@ -39,7 +39,7 @@ void for_each_corner(const std::array<std::size_t, 8>& cell, const Function& f)
     f(std::array<std::size_t, 4>{ cell[corner[0]], cell[corner[1]], cell[corner[2]], cell[corner[3]] });
 }
 
-// Calls `f` with the four points of each corner, eight times for each hexahedron.
+// Calls `f` likewise for all hexahedra, eight times for each.
 template <typename Hexahedra, typename Function>
 void for_each_corner(const Hexahedra& mesh, const Function& f)
 {
@@ -56,11 +56,11 @@ inline Hexahedron_points_3<double> points_of_hexahedron(const std::vector<Vector
   return result;
 }
 
-// Returns whether a hexahedron is positive all over it, in exact arithmetic on the coordinates as they are.
+// Returns whether the Jacobian determinant of a hexahedron is positive all over it, in exact arithmetic.
 inline bool is_positive_hexahedron(const std::vector<Vector_3>& points, const std::array<std::size_t, 8>& hexahedron)
 { return is_positive_hexahedron_3(points_of_hexahedron(points, hexahedron)); }
 
-// Returns whether a corner is neither flat nor inverted, by exact predicates on the coordinates as they are.
+// Returns whether a corner is neither flat nor inverted, by exact predicates.
 inline bool is_positive_corner(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& corner)
 {
   const auto point = [&](const std::size_t i) { return exact_point(points[corner[i]]); };
@@ -75,8 +75,7 @@ Matrix_3 edge_matrix(const std::vector<Point>& points, const std::array<std::siz
   return { edge(1), edge(2), edge(3) };
 }
 
-// Returns the scaled Jacobian of a corner. The direction of an edge shorter than the bound is noise; such edges count with the
-// bound as length.
+// Returns the scaled Jacobian of a corner. An edge shorter than `shortest_edge`, whose direction is noise, counts as so long.
 inline double scaled_jacobian(Matrix_3 edges, const double shortest_edge = 0)
 {
   for(int i = 0; i < 3; ++i)
@@ -103,6 +102,7 @@ std::vector<double> scaled_jacobians(const Hexahedra& mesh)
   return result;
 }
 
+// Returns the vertices of the hexahedron with the least of the scaled Jacobians of hexahedra.
 inline const std::array<std::size_t, 8>& worst_hexahedron(const Hexahedra_3& mesh, const std::vector<double>& quality)
 { return mesh.cells[std::min_element(quality.begin(), quality.end()) - quality.begin()]; }
 

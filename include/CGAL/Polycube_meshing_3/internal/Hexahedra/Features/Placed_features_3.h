@@ -373,7 +373,7 @@ private:
   void move_into_regions()
   {
     constexpr int number_of_sweeps = 15, sweeps_between_projections = 5; // guesses
-    const std::set<Edge> edges = edges_of_quadrangles(m_mesh);
+    const std::set<Edge> edges = boundary_edges_3(m_mesh);
     const auto is_joined = [&](const std::size_t v, const std::size_t w)
     { return m_locations[v].freedom == Freedom_3::SURFACE && edges.count(sorted(Edge{ v, w })) > 0; };
     const auto around = neighbors(is_joined);

@@ -46,7 +46,7 @@ inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, c
                                                 const Hexahedra_3& mesh, const double edge)
 {
   AABB_trees_3::Segments segments;
-  for(const auto& [v, w] : edges_of_quadrangles(mesh))
+  for(const auto& [v, w] : boundary_edges_3(mesh))
     segments.emplace_back(exact_point(mesh.points[v]), exact_point(mesh.points[w]));
   AABB_trees_3::Of_segments edges(segments.cbegin(), segments.cend());
   edges.accelerate_distance_queries();
@@ -116,7 +116,7 @@ inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh,
   const double tolerance = tolerance_of_features * edge, rounding = 1e-6 * edge;
   for(const std::vector<std::size_t>& at_corner : vertices_at_corners_3(complex, mesh, edge))
     soup.corners.insert(soup.corners.end(), at_corner.begin(), at_corner.end());
-  for(const auto& [v, w] : edges_of_quadrangles(mesh))
+  for(const auto& [v, w] : boundary_edges_3(mesh))
   {
     std::pair<double, std::size_t> nearest = { tolerance, complex.arcs().size() };
     for(std::size_t a = 0; a < complex.arcs().size(); ++a)
@@ -374,7 +374,7 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
   result.mesh.images.resize(result.mesh.points.size());
   for(std::size_t v = 0; v < result.mesh.points.size(); ++v)
     if(const auto image = body.map.nearest_image(exact_point(result.mesh.points[v])))
-      result.mesh.images[v] = domain.without_rounding(to_vector(image->point));
+      result.mesh.images[v] = domain.put_on_planes(to_vector(image->point));
   result.has_features = true;
   return result;
 }

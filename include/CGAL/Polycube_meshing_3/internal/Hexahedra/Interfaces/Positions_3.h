@@ -52,7 +52,7 @@ struct Position_3
   Vector_3 nearest(const Vector_3& p) const { return surface->nearest(p, freedom); }
 
   // Returns the same for a vertex on a surface or a line, as a model of SlidingSurface_3.
-  Surface_point_3 nearest_point(const std::array<double, 3>& p) const { return surface->nearest_point(to_vector(p), freedom); }
+  Surface_point_3 nearest_point(const std::array<double, 3>& p) const { return surface->nearest_with_direction(to_vector(p), freedom); }
 
   Vertex_condition_3 condition() const
   {
