@@ -43,7 +43,7 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
   {
     soup.interface_facets.push_back(q.vertices);
     soup.interface_cells.push_back({ q.sides[0].cell, q.sides[1].cell });
-    soup.interface_references.push_back(reference(q.vertices, interfaces.surface_of_pair(pair_of(mesh, q))));
+    soup.interface_references.push_back(reference(q.vertices, interfaces.surface_of_pair(subdomains_of(mesh, q))));
   }
 }
 

@@ -184,7 +184,7 @@ private:
         pairs.emplace_back(cost_of_corner(c, outer[i]), outer[i], c);
     }
     m_vertices.assign(m_complex.corners().size(), none);
-    for(const auto& [v, c] : nearest_pairs(pairs))
+    for(const auto& [v, c] : matched_corners(pairs))
     {
       m_vertices[c] = v;
       m_corner_at[v] = c;

@@ -122,7 +122,7 @@ inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_int
   std::map<Body_interfaces_3::Pair, Covered_surface_3> interfaces_of_pairs;
   for(const Interface_quadrangle_3& q : interface_quadrangles_3(mesh))
   {
-    const Body_surface_3& surface = interfaces.surface_of_pair(pair_of(mesh, q));
+    const Body_surface_3& surface = interfaces.surface_of_pair(subdomains_of(mesh, q));
     const auto point = [&](const std::size_t i) { return mesh.points[q.vertices[i % 4]]; };
     const auto take = [&](const Vector_3& p) { result.take(p, surface.nearest(p, Freedom_3::SURFACE)); };
     take(center_of(mesh.points, q.vertices));
@@ -131,7 +131,7 @@ inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_int
       take(point(i));
       take((point(i) + point(i + 1)) / 2);
     }
-    interfaces_of_pairs.try_emplace(pair_of(mesh, q), Covered_surface_3{ &surface }).first->second.add(q.vertices);
+    interfaces_of_pairs.try_emplace(subdomains_of(mesh, q), Covered_surface_3{ &surface }).first->second.add(q.vertices);
   }
   for(const auto& [pair, covered] : interfaces_of_pairs)
     if(interfaces.patches_of_pairs().count(pair) > 0)

@@ -27,11 +27,12 @@ struct Interface_quadrangle_3
   std::size_t patch = 0;
 };
 
-// Returns the subdomains on both sides.
-inline Body_interfaces_3::Pair pair_of(const Hexahedra_3& mesh, const Interface_quadrangle_3& q)
+// Returns the subdomains on both sides, the smaller reference first.
+inline Body_interfaces_3::Pair subdomains_of(const Hexahedra_3& mesh, const Interface_quadrangle_3& q)
 { return { mesh.cell_references[q.sides[0].cell], mesh.cell_references[q.sides[1].cell] }; }
 
-// Returns the quadrangles between parts of the hexahedra, in the order of their sorted vertices.
+// Returns the quadrangles between hexahedra of different parts, in the order of their sorted vertices, without patches. Takes the
+// part of each hexahedron; the sides of quadrangles have the smaller part first.
 inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedra_3& mesh, const std::vector<int>& parts)
 {
   std::vector<Interface_quadrangle_3> result;
@@ -48,36 +49,37 @@ inline std::vector<Interface_quadrangle_3> quadrangles_between_3(const Hexahedra
   return result;
 }
 
+// Returns the quadrangles between subdomains, without patches.
 inline std::vector<Interface_quadrangle_3> interface_quadrangles_3(const Hexahedra_3& mesh)
 { return quadrangles_between_3(mesh, mesh.cell_references); }
 
-// Finds the patch of each quadrangle: that nearest to its center, and then that of most of its neighbors.
+// Sets the patch of each quadrangle: first that nearest to its center, and then, in each round, one that most neighbors have.
 inline void set_patches(const Hexahedra_3& mesh, Body_interfaces_3& interfaces,
                         std::vector<Interface_quadrangle_3>& quadrangles)
 {
   constexpr int number_of_rounds = 3; // a guess
-  std::vector<Body_interfaces_3::Pair> pairs;
-  std::map<std::array<std::size_t, 2>, std::vector<std::size_t> > at_edges;
+  std::vector<Body_interfaces_3::Pair> pairs; // of subdomains, of each quadrangle
+  std::map<std::array<std::size_t, 2>, std::vector<std::size_t> > quadrangles_at_edges;
   for(Interface_quadrangle_3& q : quadrangles)
   {
     const Vector_3 area = area_vector(mesh.points, q.vertices);
     for(std::size_t i = 0; i < 4; ++i)
-      at_edges[edge_of_quadrangle(q.vertices, i)].push_back(pairs.size());
-    pairs.push_back(pair_of(mesh, q));
+      quadrangles_at_edges[edge_of_quadrangle(q.vertices, i)].push_back(pairs.size());
+    pairs.push_back(subdomains_of(mesh, q));
     q.patch = interfaces.patch_of_quadrangle(center_of(mesh.points, q.vertices), area.stableNormalized(),
                                              std::sqrt(area.norm()), pairs.back());
   }
   for(int round = 0; round < number_of_rounds; ++round)
   {
-    std::vector<std::map<std::size_t, int> > neighbors(quadrangles.size()); // their number in each patch of the pair
-    for(const auto& [edge, at_edge] : at_edges)
+    std::vector<std::map<std::size_t, int> > numbers_of_neighbors(quadrangles.size()); // in each patch of the pair
+    for(const auto& [edge, at_edge] : quadrangles_at_edges)
       for(const std::size_t i : at_edge)
         for(const std::size_t j : at_edge)
           if(i != j && pairs[i] == pairs[j])
-            ++neighbors[i][quadrangles[j].patch];
+            ++numbers_of_neighbors[i][quadrangles[j].patch];
     for(std::size_t i = 0; i < quadrangles.size(); ++i)
-      for(const auto& [patch, number] : neighbors[i])
-        if(number > 2)
+      for(const auto& [patch, number] : numbers_of_neighbors[i])
+        if(number > 2) // of four edges
           quadrangles[i].patch = patch;
   }
 }

@@ -26,10 +26,10 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the corner of each vertex that gets one: of the nearest pair, then of the nearest one of others, and so on. Takes the
-// distance, vertex and corner of all pairs.
+// Matches vertices and corners, each of them once at most, the nearest pair first. Takes the distance (or cost), vertex and corner
+// of all pairs. Returns the corner of each vertex that has one.
 template <typename Corner>
-std::map<std::size_t, Corner> nearest_pairs(std::vector<std::tuple<double, std::size_t, Corner> > pairs)
+std::map<std::size_t, Corner> matched_corners(std::vector<std::tuple<double, std::size_t, Corner> > pairs)
 {
   std::sort(pairs.begin(), pairs.end());
   std::map<std::size_t, Corner> result;
@@ -51,9 +51,11 @@ struct Position_3
   // Returns the point nearest to p among those where the vertex may be.
   Vector_3 nearest(const Vector_3& p) const { return surface->nearest(p, freedom); }
 
-  // Returns the same for a vertex on a surface or a line, as a model of SlidingSurface_3.
-  Surface_point_3 nearest_point(const std::array<double, 3>& p) const { return surface->nearest_with_direction(to_vector(p), freedom); }
+  // Returns this point with the normal or direction there, for a vertex on a surface or a line, as a model of SlidingSurface_3.
+  Surface_point_3 nearest_point(const std::array<double, 3>& p) const
+  { return surface->nearest_with_direction(to_vector(p), freedom); }
 
+  // Returns the condition by which Newton's method lets the vertex slide or stay.
   Vertex_condition_3 condition() const
   {
     return freedom == Freedom_3::SPACE ? Vertex_condition_3::free()
@@ -62,10 +64,10 @@ struct Position_3
   }
 };
 
-using Triangle_3 = std::array<std::size_t, 3>; // of a quadrangle of hexahedra
+using Triangle_3 = std::array<std::size_t, 3>; // vertices of a half of a quadrangle
 
-// Surface, and two triangles of each quadrangle that covers it. Those farther away than the tolerance, relative to the mean edge,
-// are pulled.
+// Surface, and two triangles of each quadrangle of hexahedra that covers it. Triangles farther from it than the tolerance, relative
+// to the mean edge, are pulled.
 struct Covered_surface_3
 {
   const Body_surface_3* surface;
@@ -107,12 +109,13 @@ public:
         }
   }
 
+  // Returns the position of each vertex.
   std::vector<Position_3> run()
   {
     std::vector<Position_3> result;
     for(std::size_t v = 0; v < m_patches.size(); ++v)
       result.push_back(position(v));
-    for(const auto& [v, corner] : nearest_pairs(corners_of(result)))
+    for(const auto& [v, corner] : matched_corners(distances_from_corners(result)))
     {
       result[v].freedom = Freedom_3::NONE;
       result[v].point = m_interfaces.corners(corner.first)[corner.second];
@@ -145,7 +148,7 @@ private:
     return is_on_boundary(v) ? position_on_boundary(p) : Position_3{ p, &m_interfaces.boundary() };
   }
 
-  // Rounding may keep a vertex from the boundary where cells of the map are thin.
+  // Returns a position on the boundary: p itself, or if rounding kept p off it, as in thin cells of the map, the nearest point.
   Position_3 position_on_boundary(const Vector_3& p) const
   {
     const Body_surface_3& boundary = m_interfaces.boundary();
@@ -153,9 +156,9 @@ private:
     return { q, &boundary, boundary.freedom(q), true };
   }
 
-  // Returns the squared distances of vertices from the corners where their patches meet. Vertices on a line get one only where
-  // the line crosses another one, on the boundary, and those on the boundary only one that is near.
-  std::vector<std::tuple<double, std::size_t, Corner> > corners_of(const std::vector<Position_3>& positions)
+  // Returns the squared distances of vertices from the corners where their patches meet. A vertex on a line has corners only if
+  // the line crosses a line of the boundary there. A vertex on the boundary has only corners near it.
+  std::vector<std::tuple<double, std::size_t, Corner> > distances_from_corners(const std::vector<Position_3>& positions)
   {
     std::vector<std::tuple<double, std::size_t, Corner> > result;
     for(std::size_t v = 0; v < positions.size(); ++v)
@@ -179,8 +182,8 @@ private:
   std::vector<double> m_widths;     // of quadrangles of interfaces, at each vertex
 };
 
-// Returns hexahedra with their vertices at their positions: on the boundary; on a patch; on a line where just the patches of a
-// vertex meet; or in a corner that has them, each of which is given to the vertex nearest to it.
+// Returns hexahedra with their vertices moved to their positions: on the boundary, on a patch, or on a line or in a corner where
+// the patches of the vertex meet. Takes the quadrangles of interfaces with their patches; without them, interfaces do not matter.
 inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
                                              Body_interfaces_3& interfaces)
 {
@@ -201,13 +204,12 @@ inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std:
   return result;
 }
 
-// Moves a vertex of the boundary to each marked corner: the one with the nearest image, of those on lines if the corner is on a
-// line. Where no such image is within the spacing, as where corners are closer to each other, the corner is given up. Vertices
-// on interfaces stay.
+// Moves a vertex of the boundary to each marked corner: that with the nearest image, on a line if the corner is on a line. If no
+// such image is within the spacing, the corner is given up. Vertices on interfaces stay.
 inline void move_to_corners_3(const Body_with_domain_3& body, const double spacing, Placed_hexahedra_3& hexahedra)
 {
   const Hexahedra_3& mesh = hexahedra.mesh;
-  std::vector<std::tuple<double, std::size_t, std::size_t> > ways; // distance, vertex, corner
+  std::vector<std::tuple<double, std::size_t, std::size_t> > pairs; // distance of images, vertex, corner
   for(const std::size_t corner : body.surface.corners())
   {
     const Vector_3& p = body.points[corner];
@@ -215,17 +217,17 @@ inline void move_to_corners_3(const Body_with_domain_3& body, const double spaci
     for(std::size_t v = 0; v < mesh.points.size(); ++v)
     {
       const Position_3& position = hexahedra.positions[v];
-      const Vector_3 way = mesh.images[v] - body.images[corner];
-      const bool is_in_same_planes
-        = (way[0] == 0) + (way[1] == 0) + (way[2] == 0) >= (is_on_line ? 2 : 1); // the other side of a thin body is not
+      const Vector_3 offset = mesh.images[v] - body.images[corner];
+      const bool is_in_same_planes // as vertices on the other side of a thin body are not
+        = (offset[0] == 0) + (offset[1] == 0) + (offset[2] == 0) >= (is_on_line ? 2 : 1);
       if(position.is_on_boundary && body.surface.are_equal(mesh.points[v], p))
-        ways.emplace_back(0, v, corner);
+        pairs.emplace_back(0, v, corner);
       else if(position.surface == &body.surface && position.freedom == (is_on_line ? Freedom_3::LINE : Freedom_3::SURFACE)
-              && is_in_same_planes && way.norm() <= spacing)
-        ways.emplace_back(way.norm(), v, corner);
+              && is_in_same_planes && offset.norm() <= spacing)
+        pairs.emplace_back(offset.norm(), v, corner);
     }
   }
-  for(const auto& [v, corner] : nearest_pairs(std::move(ways)))
+  for(const auto& [v, corner] : matched_corners(std::move(pairs)))
   {
     hexahedra.mesh.points[v] = body.points[corner];
     hexahedra.positions[v].freedom = Freedom_3::NONE;

@@ -25,8 +25,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the volume of the trilinear image of a cube, by the divergence theorem: the part of a bilinear quadrangle is the mean
-// of those of its two cuts into triangles.
+// Returns the volume of a trilinear hexahedron, by the divergence theorem. The term of a bilinear quadrangle is the mean of the
+// terms of its two cuts into triangles.
 inline double volume_of_hexahedron(const Hexahedra_3& mesh, const std::size_t c)
 {
   const Vector_3& origin = mesh.points[mesh.cells[c][0]]; // less rounding than by the origin of the axes
@@ -47,8 +47,8 @@ inline double volume_of_tetrahedron(const Body_with_domain_3& body, const std::s
   return edges.col(0).cross(edges.col(1)).dot(edges.col(2)) / 6;
 }
 
-// Measures the hexahedra of each subdomain.
-inline void measure_hexahedra(const Hexahedra_3& mesh, std::vector<Subdomain_volumes>& volumes)
+// Sets the volume that the hexahedra of each subdomain have now.
+inline void update_volumes_of_hexahedra(const Hexahedra_3& mesh, std::vector<Subdomain_volumes>& volumes)
 {
   std::map<int, double> sums;
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -57,6 +57,7 @@ inline void measure_hexahedra(const Hexahedra_3& mesh, std::vector<Subdomain_vol
     of_reference.of_hexahedra = sums[of_reference.reference];
 }
 
+// Returns the volumes of all subdomains of the body, in the order of their references.
 inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_domain_3& body, const Hexahedra_3& mesh)
 {
   std::map<int, Subdomain_volumes> volumes;
@@ -68,7 +69,7 @@ inline std::vector<Subdomain_volumes> volumes_of_subdomains(const Body_with_doma
     of_reference.reference = reference;
     result.push_back(of_reference);
   }
-  measure_hexahedra(mesh, result);
+  update_volumes_of_hexahedra(mesh, result);
   return result;
 }
 
@@ -88,17 +89,18 @@ inline double distance_of_least_errors(const std::vector<Subdomain_volumes>& vol
   return curvature == 0 ? 0 : -gradient / curvature;
 }
 
-// Moves the vertices of each hexahedron that lost too much of its scaled Jacobian back, and fixes them, until none has lost it.
-inline void undo_losses(const std::vector<Vector_3>& before, const std::vector<double>& quality, Hexahedra_3& mesh,
+// Moves the vertices of each hexahedron that is inverted, or has lost too much of its first scaled Jacobian, back to `before`.
+// They may not move any more. Repeats this until there is no such hexahedron with moved vertices.
+inline void undo_losses(const std::vector<Vector_3>& before, const std::vector<double>& first_quality, Hexahedra_3& mesh,
                         std::vector<bool>& may_move)
 {
   constexpr double largest_loss = 0.1; // a guess
   for(bool has_changed = true; has_changed; )
   {
     has_changed = false;
-    const std::vector<double> next = scaled_jacobians(mesh);
+    const std::vector<double> quality = scaled_jacobians(mesh);
     for(std::size_t c = 0; c < mesh.cells.size(); ++c)
-      if(next[c] < (1 - largest_loss) * quality[c] || !is_positive_hexahedron(mesh.points, mesh.cells[c]))
+      if(quality[c] < (1 - largest_loss) * first_quality[c] || !is_positive_hexahedron(mesh.points, mesh.cells[c]))
         for(const std::size_t v : mesh.cells[c])
           if(mesh.points[v] != before[v])
           {
@@ -109,8 +111,8 @@ inline void undo_losses(const std::vector<Vector_3>& before, const std::vector<d
   }
 }
 
-// Moves vertices inside of patches along their normals such that each subdomain keeps its volume: if all vertices are on a curved
-// interface, its chords cut volume off. Vertices stay where a hexahedron would lose more than a tenth of its scaled Jacobian.
+// Moves vertices that are in one patch and inside the body along normals, such that each subdomain keeps its volume. If all
+// vertices are on a curved interface, its chords cut volume off. Vertices stay where hexahedra would lose too much quality.
 inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& interfaces, Hexahedra_3& mesh)
 {
   constexpr int number_of_rounds = 5;  // a guess
@@ -124,7 +126,7 @@ inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& in
     {
       areas[v] += area_vector(mesh.points, q.vertices) / 4;
       patches[v].insert(q.patch);
-      vertices_of_pairs[pair_of(mesh, q)].insert(v);
+      vertices_of_pairs[subdomains_of(mesh, q)].insert(v);
     }
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   std::vector<bool> may_move(mesh.points.size());
@@ -138,7 +140,7 @@ inline void keep_volumes_3(const Body_with_domain_3& body, Body_interfaces_3& in
       double area = 0;
       for(const std::size_t v : vertices)
         area += may_move[v] * areas[v].norm();
-      measure_hexahedra(mesh, volumes_of_all);
+      update_volumes_of_hexahedra(mesh, volumes_of_all);
       const double distance = distance_of_least_errors(volumes_of_all, pair, area);
       const std::vector<Vector_3> before = mesh.points;
       for(const std::size_t v : vertices)
