@@ -66,8 +66,8 @@ struct Position_3
 
 using Triangle_3 = std::array<std::size_t, 3>; // vertices of a half of a quadrangle
 
-// Surface, and two triangles of each quadrangle of hexahedra that covers it. Triangles farther from it than the tolerance, relative
-// to the mean edge, are pulled.
+// Surface, and two triangles of each quadrangle of hexahedra that covers it. Triangles farther from it than the tolerance,
+// relative to the mean edge, are pulled.
 struct Covered_surface_3
 {
   const Body_surface_3* surface;

@@ -19,7 +19,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the axis that a quadrangle of the boundary of the domain is orthogonal to; 3 if there is none, as in a body.
+// Returns the first axis that a quadrangle is orthogonal to, as on the boundary of the domain; 3 if there is none, as in a body.
 inline int axis_of_facet(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& facet)
 {
   int axis = 0;
@@ -65,16 +65,18 @@ private:
 
   bool is_covered(const std::size_t f) const { return m_cell_over_facet[f] != none; }
 
-  std::size_t inner(const std::size_t v, const int part) const
+  // Returns the vertex that the hexahedra of a part have in place of v: its copy, or v itself if it has none.
+  std::size_t inner_vertex(const std::size_t v, const int part) const
   {
     const auto found = m_copies.find({ v, part });
     return found == m_copies.end() ? v : found->second;
   }
 
-  // Returns the i-th edge of a quadrangle of a hexahedron.
-  Edge_in_part edge(const std::array<std::size_t, 4>& quadrangle, const std::size_t i, const std::size_t cell) const
+  // Returns the i-th edge of a quadrangle of a hexahedron, with the part of the latter.
+  Edge_in_part edge_in_part(const std::array<std::size_t, 4>& quadrangle, const std::size_t i, const std::size_t cell) const
   { return { edge_of_quadrangle(quadrangle, i), m_parts[cell] }; }
 
+  // Adds the copies of vertices of covered quadrangles, further inside but in the planes of other quadrangles of the boundary.
   void make_copies()
   {
     constexpr double depth = 0.5; // a guess; part of the way to the mean center of the hexahedra around the vertex
@@ -112,24 +114,25 @@ private:
   {
     for(std::size_t c = 0; c < m_domain.cells.size(); ++c)
       for(std::size_t& v : m_result.cells[c])
-        v = inner(v, m_parts[c]);
+        v = inner_vertex(v, m_parts[c]);
     for(std::size_t f = 0; f < m_domain.facets.size(); ++f)
       if(is_covered(f))
         m_result.facet_cells[f] = m_cell_over_facet[f];
       else
         for(std::size_t& v : m_result.facets[f])
-          v = inner(v, m_parts[m_domain.facet_cells[f]]);
+          v = inner_vertex(v, m_parts[m_domain.facet_cells[f]]);
   }
 
-  // Puts a hexahedron between each covered quadrangle and its copy. Those over one side of a layer of a block are a block.
+  // Puts a hexahedron between each covered quadrangle and its copy. New hexahedra are of one block if those under them are of one
+  // block, and have the same side and the same index across this side.
   void add_hexahedra()
   {
     const std::size_t last_block = *std::max_element(m_domain.cell_blocks.begin(), m_domain.cell_blocks.end());
-    std::map<std::array<std::size_t, 3>, std::size_t> blocks; // by block, side, and index across the side
+    std::map<std::array<std::size_t, 3>, std::size_t> blocks; // new ones, by old block, side, and index across the side
     for(const Quadrangle_of_hexahedron& q : m_covered)
     {
       const auto& [a, b, c, d] = vertices_of(m_domain, q);
-      const auto copy = [this, part = m_parts[q.cell]](const std::size_t v) { return inner(v, part); };
+      const auto copy = [this, part = m_parts[q.cell]](const std::size_t v) { return inner_vertex(v, part); };
       const auto& [u, v] = axes_of_quadrangle[q.side];
       const std::array<std::size_t, 3>& index = m_domain.cell_indices[q.cell];
       const std::array<std::size_t, 3> key = { m_domain.cell_blocks[q.cell], q.side, index[3 - u - v] };
@@ -140,17 +143,18 @@ private:
   }
 
   // Adds the sides of layers where these end: a side over an edge of one covered quadrangle alone is in the face of the domain
-  // that has the edge, too.
+  // that has the edge, too. Side 2 + i of a hexahedron of a layer is over edge i of its quadrangle.
   void add_ends()
   {
-    std::map<Edge_in_part, std::size_t> faces;
-    std::map<Edge_in_part, std::vector<Quadrangle_of_hexahedron> > sides;
+    std::map<Edge_in_part, std::size_t> faces; // that are not covered
+    std::map<Edge_in_part, std::vector<Quadrangle_of_hexahedron> > sides; // of hexahedra of layers
     for(std::size_t f = 0; f < m_domain.facets.size(); ++f)
       for(std::size_t i = 0; i < 4 && !is_covered(f); ++i)
-        faces[edge(m_domain.facets[f], i, m_domain.facet_cells[f])] = m_domain.polycube_faces[f];
+        faces[edge_in_part(m_domain.facets[f], i, m_domain.facet_cells[f])] = m_domain.polycube_faces[f];
     for(std::size_t k = 0; k < m_covered.size(); ++k)
       for(std::size_t i = 0; i < 4; ++i)
-        sides[edge(vertices_of(m_domain, m_covered[k]), i, m_covered[k].cell)].push_back({ m_domain.cells.size() + k, 2 + i });
+        sides[edge_in_part(vertices_of(m_domain, m_covered[k]), i, m_covered[k].cell)]
+          .push_back({ m_domain.cells.size() + k, 2 + i });
     for(const auto& [edge, at_edge] : sides)
       if(at_edge.size() == 1)
         add_facet(at_edge[0], faces.at(edge), m_result);

@@ -17,9 +17,9 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Returns the sides of quadrangles of interfaces that get a layer of hexahedra. A side needs one if its hexahedron has another
-// quadrangle in the patch, as the patch is smooth, and their angle almost straight. A layer goes on over all quadrangles of
-// interfaces of its subdomain that vertices join.
+// Returns the sides of quadrangles of interfaces that get a layer of hexahedra. A side needs a layer if its hexahedron has another
+// quadrangle in the patch: the patch is smooth, and the angle between both almost straight. A layer extends over all quadrangles
+// of interfaces of its subdomain that vertices join. Side i is that of quadrangle i / 2 with the index i % 2.
 inline std::vector<Quadrangle_of_hexahedron>
 sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles)
 {
@@ -75,12 +75,12 @@ inline Patches_of_quadrangles_3 patches_by_vertices_3(const std::vector<Interfac
   return result;
 }
 
-// Puts a layer around the hexahedra on both sides of each of these patches, so that in the patch quadrangles have one edge each
-// on its lines, and updates the quadrangles of interfaces. Returns the mesh as it is if a hexahedron is at two of the patches.
+// Returns hexahedra with a layer around those on both sides of each of these patches, and updates the quadrangles of interfaces.
+// Quadrangles of the patch have one edge each on its lines then. Returns the same mesh if a hexahedron is at two of the patches.
 inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_3& patches,
-                                               std::vector<Interface_quadrangle_3>& quadrangles)
+                                         std::vector<Interface_quadrangle_3>& quadrangles)
 {
-  std::vector<int> parts(mesh.cells.size(), 0);
+  std::vector<int> parts(mesh.cells.size(), 0); // numbers of the patches; 0 for other hexahedra
   const Patches_of_quadrangles_3 old_patches = patches_by_vertices_3(quadrangles);
   for(const Interface_quadrangle_3& q : quadrangles)
     for(const Quadrangle_of_hexahedron& side : q.sides)
@@ -107,7 +107,7 @@ inline Hexahedra_3 with_enclosed_patches(const Hexahedra_3& mesh, const Patches_
   return result;
 }
 
-// Moves the vertices on interfaces, in the domain, to the images of their positions, but not out of planes of the boundary.
+// Moves vertices of the domain that are on interfaces to the images of their positions, but not out of planes of the boundary.
 inline void move_to_images_of_positions(const Body_with_domain_3& body, const std::vector<Position_3>& positions,
                                         Hexahedra_3& domain)
 {
@@ -123,7 +123,8 @@ inline void move_to_images_of_positions(const Body_with_domain_3& body, const st
             domain.points[v][axis] = image->point[axis];
 }
 
-// Returns hexahedra of a domain with the layers that interfaces need, and sets the quadrangles of interfaces.
+// Returns hexahedra of a domain, moved to the images of interfaces, with the layers that these need. Sets the quadrangles of
+// interfaces. Returns the domain as it is once the budget is exhausted.
 inline Hexahedra_3 with_layers_at_interfaces(const Body_with_domain_3& body, Hexahedra_3 domain, Body_interfaces_3& interfaces,
                                              const Budget& budget, std::vector<Interface_quadrangle_3>& quadrangles)
 {
