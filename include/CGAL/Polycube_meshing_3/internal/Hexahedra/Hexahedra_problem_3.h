@@ -33,7 +33,7 @@ struct Hexahedra_problem_3
   bool do_keep_interfaces;        // do hexahedra follow the interfaces between subdomains?
 };
 
-// Hexahedra of the body, if none of those found is inverted.
+// Result with hexahedra of the body; these are empty unless the result has a valid mesh.
 struct Found_hexahedra_3
 {
   Hexahedral_mesh_result result;

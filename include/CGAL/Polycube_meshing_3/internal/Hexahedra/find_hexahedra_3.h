@@ -19,7 +19,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Finds hexahedra, with the layers that they need or with one along the whole boundary.
+// Returns the best valid hexahedra that are found, with the layers that they need or with one along the whole boundary. The status
+// and message of the result say what prevents hexahedra, or where they do not suffice.
 CGAL_POLYCUBE_MESHING_3_INLINE
 Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Budget& budget);
 

@@ -34,15 +34,15 @@ inline Hexahedral_mesh_result refused_result(const Input_check_3& check)
   return result;
 }
 
-// Boxes in a domain and in the body, the layers that they need, and the length of edges in the body without distortion.
+// Boxes in a domain and their preimages in the body.
 struct Boxes_3
 {
   Hexahedra_3 in_domain, in_body = {};
-  std::vector<Covered_faces_3> layers = {};
-  double edge = 1;
+  std::vector<Covered_faces_3> layers = {}; // that they need
+  double edge = 1;                          // mean length in the body if all hexahedra were cubes
 };
 
-// Returns the boxes of a grid, with the subdomains of their centers; none once the budget is exhausted.
+// Returns the boxes of a grid, with the subdomains of their centers. Once the budget is exhausted, `in_body` has no hexahedra.
 inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3& grid, const Budget& budget)
 {
   Locations_3 locations;
@@ -62,9 +62,9 @@ inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3&
   return result;
 }
 
-// Finds the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. They
-// follow the interfaces unless these are to be staircases. If they can be fitted to features of the body once they are untangled,
-// nothing else is tried: this moves all vertices again.
+// Returns the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. The
+// hexahedra follow the interfaces unless these are to be staircases. Valid hexahedra of a body without interfaces are fitted to
+// its features. If that succeeds, nothing else is tried, as fitting moves all vertices again.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                          const Boxes_3& boxes, Body_interfaces_3& interfaces, const Staircases staircases,
                                          const Budget& budget)
@@ -72,9 +72,9 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
   Best_hexahedra_3 best
     = { boxes.edge, refused_result(failed_check(ERROR_INTERRUPTED, get_error_message(ERROR_INTERRUPTED))), {}, staircases };
   bool may_fit = interfaces.empty();
-  const std::vector<Covered_faces_3> one = { all_faces_of_domain(boxes.in_domain) },
-                                     other = boxes.layers == one ? std::vector<Covered_faces_3>() : one;
-  for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other })
+  const std::vector<Covered_faces_3> one_layer = { all_faces_of_domain(boxes.in_domain) },
+                                     other_layers = boxes.layers == one_layer ? std::vector<Covered_faces_3>() : one_layer;
+  for(const std::vector<Covered_faces_3>& layers : { boxes.layers, other_layers })
   {
     if(budget.is_exhausted() || is_at_least(best.result, poor_scaled_jacobian))
       break;
@@ -99,7 +99,7 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
         continue;
       if(may_fit && best.result.has_valid_mesh)
       {
-        may_fit = false; // it takes as long as all else
+        may_fit = false; // fitting takes as long as all else
         if(const auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget))
           return *with_features;
       }
@@ -109,20 +109,20 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
   return best;
 }
 
-// Finds the best hexahedra that follow the interfaces, or that make staircases of them if these are better.
+// Returns the best hexahedra that follow the interfaces, or, if these are worse, hexahedra whose interfaces are staircases.
 inline Best_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                                   const Boxes_3& boxes, Body_interfaces_3& interfaces, const Budget& budget)
 {
-  const auto evaluate = [&](Best_hexahedra_3 hexahedra)
+  const auto with_distance_and_volumes = [&](Best_hexahedra_3 hexahedra)
   {
     hexahedra.result.interface_distance = interface_distance_3(hexahedra.mesh, interfaces).distance;
     hexahedra.result.volumes = volumes_of_subdomains(body, hexahedra.mesh);
     return hexahedra;
   };
-  const auto make_staircases = [&](const Budget& part)
-  { return evaluate(best_hexahedra_3(problem, body, boxes, interfaces, Staircases::BETTER, part)); };
+  const auto make_staircases = [&](const Budget& part_of_budget)
+  { return with_distance_and_volumes(best_hexahedra_3(problem, body, boxes, interfaces, Staircases::BETTER, part_of_budget)); };
   std::optional<Best_hexahedra_3> staircases;
-  if(budget.is_limited()) // they are far faster than what follows, which may then have all of the time that is left
+  if(budget.is_limited()) // staircases are far faster than what follows, which may have all of the time that is left then
     staircases = make_staircases(budget.part(0.5));
   Boxes_3 separated = boxes;
   Subdomain_separation_3(separated.in_domain).run(budget);
@@ -133,7 +133,7 @@ inline Best_hexahedra_3 hexahedra_at_interfaces_3(const Hexahedra_problem_3& pro
     const std::vector<double> quality = scaled_jacobians(best.mesh);
     best.result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
   }
-  best = evaluate(std::move(best));
+  best = with_distance_and_volumes(std::move(best));
   if((!staircases && budget.is_exhausted())
      || !may_be_worse_than_staircases(best, interface_distance_3(boxes.in_body, interfaces).distance))
     return best;
@@ -159,7 +159,7 @@ Found_hexahedra_3 find_hexahedra_3(const Hexahedra_problem_3& problem, const Bud
     ? hexahedra_at_interfaces_3(problem, body, boxes, interfaces, budget)
     : best_hexahedra_3(problem, body, boxes, interfaces, Staircases::ASKED, budget);
   const bool may_fit = interfaces.empty() || best.staircases != Staircases::ASKED;
-  if(best.result.has_valid_mesh && !best.has_features && may_fit) // may have room that the first valid ones lacked
+  if(best.result.has_valid_mesh && !best.has_features && may_fit) // features may have room that the first valid hexahedra lacked
     if(auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget))
     {
       best = std::move(*with_features);

@@ -24,10 +24,10 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Gives quadrangles the references of the facets of the body nearest to their centers: those of the boundary, and those of
-// interfaces, which it collects.
-inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces_3& interfaces, const Hexahedra_3& mesh,
-                                 Hexahedron_soup_3& soup)
+// Adds the quadrangles of interfaces to the soup, and the references of quadrangles there and on the boundary: those of the facets
+// of the body nearest to their centers.
+inline void add_interfaces_and_references(const Body_with_domain_3& body, Body_interfaces_3& interfaces, const Hexahedra_3& mesh,
+                                          Hexahedron_soup_3& soup)
 {
   std::map<std::array<std::size_t, 3>, int> references;
   for(std::size_t f = 0; f < body.soup.facets.size(); ++f)
@@ -47,10 +47,10 @@ inline void set_facet_references(const Body_with_domain_3& body, Body_interfaces
   }
 }
 
-constexpr double largest_part_of_volume = 0.02; // of a subdomain: a larger deviation is an error; a guess
+constexpr double largest_volume_deviation = 0.02; // of a subdomain, relative to its volume, that is no error; a guess
 
-// Makes the result an error that names where hexahedra deviate from the body. The sentences follow those on earlier deviations, or
-// else precede the old message, of which the text for OK is removed.
+// Makes the result an error for hexahedra that deviate from the body. The sentences, which name the place, follow those on earlier
+// deviations, or else precede the old message, of which the text for OK is removed.
 inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& result)
 {
   const std::string error = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA);
@@ -60,10 +60,10 @@ inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& 
   result.status = ERROR_INCOMPLETE_HEXAHEDRA;
 }
 
-// Measures the distance of interfaces. If staircases were not asked for, the message tells a distance beyond the tolerance, and
-// one beyond the largest distance is an error.
-inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
-                                Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
+// Sets the distance of interfaces in the result. Unless staircases were asked for, the message states a distance beyond the
+// tolerance, and a distance beyond the largest one is an error. Takes the quadrangles of interfaces.
+inline void check_interfaces(const Hexahedra_3& mesh, const std::vector<std::array<std::size_t, 4> >& quadrangles,
+                             Body_interfaces_3& interfaces, const Staircases staircases, Hexahedral_mesh_result& result)
 {
   const Largest_distance_3 farthest = interface_distance_3(mesh, interfaces);
   result.interface_distance = farthest.distance;
@@ -84,9 +84,8 @@ inline void evaluate_interfaces(const Hexahedra_3& mesh, const std::vector<std::
       "of lower quality.";
 }
 
-// Names the place if the hexahedra deviate from the body: if a boundary is farther than half an edge from the other, or a
-// subdomain of several has no hexahedron or another volume. Few hexahedra have long edges. Therefore, the distance is also
-// compared with the body.
+// Makes the result an error if a boundary is farther than half an edge from the other, or if a subdomain has no hexahedron, or, of
+// several, another volume. Few hexahedra have long edges. Therefore, the distance is also compared with the size of the body.
 inline void check_completeness(const Body_with_domain_3& body, const Largest_distance_3& farthest, const double edge,
                                const double spacing, const Staircases staircases, Hexahedral_mesh_result& result)
 {
@@ -107,7 +106,7 @@ inline void check_completeness(const Body_with_domain_3& body, const Largest_dis
   {
     const double deviation = std::abs(volumes.of_hexahedra / volumes.of_tetrahedra - 1);
     const bool may_deviate = staircases == Staircases::ASKED || result.volumes.size() == 1;
-    if(volumes.of_hexahedra != 0 && (may_deviate || !(deviation > largest_part_of_volume)))
+    if(volumes.of_hexahedra != 0 && (may_deviate || !(deviation > largest_volume_deviation)))
       continue;
     const std::vector<int>& references = body.soup.cell_references;
     const auto first = std::find(references.begin(), references.end(), volumes.reference) - references.begin();
@@ -120,7 +119,7 @@ inline void check_completeness(const Body_with_domain_3& body, const Largest_dis
     add_deviation(missing, result);
 }
 
-// Returns the area, center and normal of the quadrangles with each reference.
+// Returns the number, area, center and normal of the quadrangles of the boundary with each reference, by ascending references.
 inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, const std::vector<int>& facet_references)
 {
   struct Sums
@@ -153,8 +152,7 @@ inline std::vector<Hexahedral_mesh_patch> patches_of(const Hexahedra_3& mesh, co
   return result;
 }
 
-// Advises what makes the hexahedron with the least scaled Jacobian better: a finer grid, or, where the map distorts angles much,
-// another map.
+// Returns the advice for a better least scaled Jacobian: a finer grid, or, if the map distorts angles much there, another map.
 inline std::string advice_3(const Body_with_domain_3& body, const Hexahedra_3& mesh)
 {
   constexpr double large_distortion = 10; // a guess
@@ -167,7 +165,7 @@ inline std::string advice_3(const Body_with_domain_3& body, const Hexahedra_3& m
                "source, allow refinement, or choose another domain.");
 }
 
-// Names the hexahedron of the least scaled Jacobian if this is below a bound.
+// Makes the result an error that names the hexahedron of the least scaled Jacobian if this is below a bound.
 inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedral_mesh_result& result)
 {
   if(result.minimum_scaled_jacobian >= bound)
@@ -181,16 +179,16 @@ inline void check_quality(const Hexahedra_3& mesh, const double bound, Hexahedra
                             describe(mesh.points[worst_hexahedron(mesh, quality)[0]]), ".");
 }
 
-// Makes the soup of a valid mesh, with new images. Completes its result, which has the scaled Jacobians already, by features,
-// patches, volumes and distances. Its status and message tell which do not suffice.
-inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
-                     Best_hexahedra_3 best, Found_hexahedra_3& found)
+// Makes the soup of a valid mesh, with new images. Adds features, patches, volumes and distances to the result, which has scaled
+// Jacobians already. Its status and message say which of these do not suffice.
+inline void complete_valid(const Hexahedra_problem_3& problem, const Body_with_domain_3& body, Body_interfaces_3& interfaces,
+                           Best_hexahedra_3 best, Found_hexahedra_3& found)
 {
   Hexahedra_3& mesh = best.mesh;
   Hexahedral_mesh_result& result = found.result;
   update_images(body, mesh);
   found.mesh = hexahedron_soup_of(mesh);
-  set_facet_references(body, interfaces, mesh, found.mesh);
+  add_interfaces_and_references(body, interfaces, mesh, found.mesh);
   const Body_complex_3 complex(body.soup, body.points);
   result.features = kept_features_3(complex, body.surface, mesh, best.edge);
   set_features(complex, mesh, best.edge, found.mesh);
@@ -202,7 +200,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
   if(result.status != OK)
     result.message += advice_3(body, mesh);
   check_completeness(body, farthest, best.edge, problem.spacing, best.staircases, result);
-  evaluate_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
+  check_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
   result.message += sentence_on_features(result.features);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
@@ -210,7 +208,7 @@ inline void evaluate(const Hexahedra_problem_3& problem, const Body_with_domain_
                                " have no vertex, among them the one at ", describe(to_vector(result.corners_given_up[0])), ".");
 }
 
-// Returns the best hexahedra, with what is to be said of them.
+// Returns the soup of the best hexahedra if they are valid, and their result with its final status and message.
 inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                            Body_interfaces_3& interfaces, const Best_hexahedra_3& best, const Budget& budget)
 {
@@ -219,17 +217,18 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
   result = best.result.has_valid_mesh ? evaluated_hexahedra(best.mesh, best.result.has_padding) : best.result;
   result.is_interrupted = budget.is_exhausted();
   if(result.has_valid_mesh)
-    evaluate(problem, body, interfaces, best, found);
+    complete_valid(problem, body, interfaces, best, found);
   else if(!result.is_interrupted)
     result.message += advice_3(body, best.mesh);
   if(!result.is_interrupted)
     return found;
-  const bool is_all = !result.has_valid_mesh || result.status == OK; // that there is to be told
+  const bool is_only_fault = !result.has_valid_mesh || result.status == OK; // is the interruption?
   const std::string sentences = get_error_message(ERROR_INTERRUPTED)
     + std::string(result.has_valid_mesh ? " The hexahedra are valid, but more time may give better ones."
                                         : " There are no valid hexahedra yet. Allow more time.");
-  result.message = !is_all ? result.message + " " + sentences : result.has_valid_mesh ? sentences + result.message : sentences;
-  if(is_all)
+  result.message = !is_only_fault ? result.message + " " + sentences
+                 : result.has_valid_mesh ? sentences + result.message : sentences;
+  if(is_only_fault)
     result.status = ERROR_INTERRUPTED;
   return found;
 }
