@@ -155,6 +155,15 @@ Vector_3 center_of(const std::vector<Vector_3>& points, const std::array<std::si
   return sum / N;
 }
 
+// Returns the mean of any number of points, divided before they are added.
+inline Vector_3 mean_of(const std::vector<Vector_3>& points, const std::vector<std::size_t>& vertices)
+{
+  Vector_3 result = Vector_3::Zero();
+  for(const std::size_t v : vertices)
+    result += points[v] / static_cast<double>(vertices.size());
+  return result;
+}
+
 // Returns the normal of a quadrangle times its area, half of the product of its diagonals.
 inline Vector_3 area_vector(const std::vector<Vector_3>& points, const std::array<std::size_t, 4>& quadrangle)
 {

@@ -29,11 +29,11 @@ struct Arc_3
 {
   std::size_t curve;
   int reference; // of the edges of the curve
-  std::vector<std::size_t> vertices;
+  std::vector<std::size_t> vertices; // with those at both corners
   std::array<std::size_t, 2> patches;
 };
 
-// End of an arc: its first vertex or its last one.
+// End of an arc: its first vertex (side 0) or its last one (side 1).
 struct End_of_arc_3
 {
   std::size_t arc, side;
@@ -47,14 +47,14 @@ struct Corner_3
   std::vector<End_of_arc_3> ends = {};
 };
 
-// Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges; those with one patch on both sides,
-// as seams, are none. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs.
+// Boundary of a body as a complex of corners, curves and patches. Curves are the sharp edges, but not seams, which have one patch
+// on both sides. Corners are marked points, and those where curves meet, end or turn. Closed curves are cut into arcs.
 class Body_complex_3
 {
 public:
   // Takes the width in which hexahedra have no room, and the least length, in widths, of a needle: a small angle between two arcs.
-  // If the width is positive, edges between subdomains are curves, too, and arcs shorter than it become corners. Arcs along a
-  // needle share their part within the width, as hexahedra between them would have to share the angle.
+  // If the width is positive, edges between subdomains are curves, too, and arcs shorter than the width become corners. Two arcs
+  // along a needle share their part within the width, because hexahedra between the arcs would be too flat.
   Body_complex_3(const Mapped_soup_3& soup, const std::vector<Vector_3>& points, const double width_without_room = 0,
                  const double length_of_needles = 8)
     : m_points(points), m_facets(boundary_facets_3(soup.cells))
@@ -62,7 +62,7 @@ public:
     const std::vector<int> subdomains = subdomains_of_facets(soup);
     std::vector<Edge> edges = sharp_edges_3(m_facets, soup.edges, [&](const std::size_t v) { return points[v]; });
     if(width_without_room > 0)
-      add_borders(subdomains, edges);
+      add_edges_between(subdomains, edges);
     m_patches = patches_of_facets(m_facets, edges);
     m_left = facets_on_left(m_facets);
     find_arcs(edges, soup);
@@ -90,6 +90,10 @@ public:
 
   // Returns the corner where an arc ends.
   std::size_t corner(const End_of_arc_3& end) const { return m_corners_of_arcs[end.arc][end.side]; }
+
+  // Returns the patch on the left or right of an arc, seen from this end of it.
+  std::size_t left_patch(const End_of_arc_3& end) const { return m_arcs[end.arc].patches[end.side]; }
+  std::size_t right_patch(const End_of_arc_3& end) const { return m_arcs[end.arc].patches[1 - end.side]; }
 
   std::size_t patch_of_facet(const std::array<std::size_t, 3>& facet) const { return patch_on_left(facet[0], facet[1]); }
 
@@ -125,6 +129,7 @@ public:
 private:
   using Edge = std::array<std::size_t, 2>;
 
+  // Returns the subdomain of each facet of the boundary.
   std::vector<int> subdomains_of_facets(const Mapped_soup_3& soup) const
   {
     std::map<std::array<std::size_t, 3>, int> references;
@@ -137,8 +142,8 @@ private:
     return result;
   }
 
-  // Adds the edges between facets of two subdomains to sorted edges.
-  void add_borders(const std::vector<int>& subdomains, std::vector<Edge>& edges) const
+  // Adds the edges between facets of different subdomains to edges, which remain sorted.
+  void add_edges_between(const std::vector<int>& subdomains, std::vector<Edge>& edges) const
   {
     for_each_edge(m_facets, [&](const auto begin, const auto end)
     {
@@ -168,24 +173,24 @@ private:
       const auto found = references.find(sorted(Edge{ v, w }));
       return found == references.end() ? 0 : found->second;
     };
-    const Neighbors_along_edges all = neighbors_along_edges(edges);
-    std::vector<Edge> without_seams = edges;
-    without_seams.erase(std::remove_if(without_seams.begin(), without_seams.end(), [&](const Edge& e)
-    { return patch_on_left(e[0], e[1]) == patch_on_left(e[1], e[0]); }), without_seams.end());
-    const Neighbors_along_edges next = neighbors_along_edges(without_seams);
+    const Neighbors_along_edges with_seams = neighbors_along_edges(edges);
+    std::vector<Edge> edges_of_curves = edges;
+    edges_of_curves.erase(std::remove_if(edges_of_curves.begin(), edges_of_curves.end(), [&](const Edge& e)
+    { return patch_on_left(e[0], e[1]) == patch_on_left(e[1], e[0]); }), edges_of_curves.end());
+    const Neighbors_along_edges neighbors = neighbors_along_edges(edges_of_curves);
     const std::set<std::size_t> marked(soup.corners.begin(), soup.corners.end());
     std::set<std::size_t> corners;
-    for(const auto& [v, around] : next)
+    for(const auto& [v, around] : neighbors)
     {
       const auto turns = [&, v = v](const std::size_t w, const std::size_t x)
       {
         return reference(v, w) != reference(v, x)
           || (reference(v, w) == 0 && turns_sharply(m_points[v] - m_points[w], m_points[x] - m_points[v]));
       };
-      if(around.size() != 2 || all.at(v).size() != 2 || marked.count(v) > 0 || turns(around[0], around[1]))
+      if(around.size() != 2 || with_seams.at(v).size() != 2 || marked.count(v) > 0 || turns(around[0], around[1]))
         corners.insert(v);
     }
-    for(const std::vector<std::size_t>& vertices : curves_along_edges(next, corners))
+    for(const std::vector<std::size_t>& vertices : curves_along_edges(neighbors, corners))
       add_curve(vertices, reference(vertices[0], vertices[1]));
     for(std::size_t a = 0; a < m_arcs.size(); ++a)
       for(const std::size_t v : { m_arcs[a].vertices.front(), m_arcs[a].vertices.back() })
@@ -300,6 +305,7 @@ private:
     m_corners_of_arcs.erase(m_corners_of_arcs.begin() + a);
   }
 
+  // Shares needles at all corners but new ones, as long as there are any.
   void share_needles(const double width, const double least_length)
   {
     const std::size_t n = m_corners.size();
@@ -309,8 +315,8 @@ private:
           ++i;
   }
 
-  // Lets end i at a corner and the next one share their first part, up to a new corner: hexahedra have no room between them.
-  // The one that bends less is kept. Returns whether the part is long enough.
+  // Lets end i at a corner and the next one share their first part, up to a new corner, if the arcs are close to each other for a
+  // least length. The part of the arc with the smaller detour is kept. Returns whether the arcs share a part now.
   bool share_needle(const std::size_t c, const std::size_t i, const double width, const double least_length)
   {
     const std::size_t next = (i + 1) % m_corners[c].ends.size();
@@ -320,41 +326,40 @@ private:
     const bool is_other_left = detour(kept.arc) <= detour(other.arc);
     if(!is_other_left)
       std::swap(kept, other);
-    const double of_other = shared_length(kept, other, width), along = m_lines[kept.arc].nearest(point_at(other, of_other)).second,
-                 shared = length_from(kept, along);
-    if(shared < least_length || m_lines[kept.arc].length() - shared < 2 * width
-       || m_lines[other.arc].length() - of_other < 2 * width)
+    const double shared_of_other = shared_length(kept, other, width),
+                 length_along_kept = m_lines[kept.arc].nearest(point_at(other, shared_of_other)).second,
+                 shared_of_kept = length_from(kept, length_along_kept);
+    if(shared_of_kept < least_length || m_lines[kept.arc].length() - shared_of_kept < 2 * width
+       || m_lines[other.arc].length() - shared_of_other < 2 * width)
       return false;
-    m_points.push_back(m_lines[kept.arc].point(along));
-    add_stem(c, kept, other, shared, is_other_left);
-    begin_at_last_corner(kept, shared);
-    begin_at_last_corner(other, of_other);
+    m_points.push_back(m_lines[kept.arc].point(length_along_kept));
+    add_shared_arc(c, kept, other, shared_of_kept, is_other_left);
+    begin_at_last_corner(kept, shared_of_kept);
+    begin_at_last_corner(other, shared_of_other);
     m_corners[c].ends[i] = { m_arcs.size() - 1, 0 };
     m_corners[c].ends.erase(m_corners[c].ends.begin() + next);
     return true;
   }
 
-  // Adds the first part of an arc as an arc to a new corner at the last point. The patch between the arc and the other one that
-  // shares this part is not beside it.
-  void add_stem(const std::size_t c, const End_of_arc_3& kept, const End_of_arc_3& other, const double length,
-                const bool is_other_left)
+  // Adds the first part of an arc, from corner c, as an arc to a new corner at the last point. The patch between the arc and the
+  // other one, which is on its left or right, is not beside this part.
+  void add_shared_arc(const std::size_t c, const End_of_arc_3& kept, const End_of_arc_3& other, const double length,
+                      const bool is_other_left)
   {
-    const auto patch = [&](const End_of_arc_3& end, const bool is_left)
-    { return m_arcs[end.arc].patches[(end.side == 0) != is_left]; };
-    Arc_3 stem = m_arcs[kept.arc];
-    stem.vertices = vertices_between(kept, 0, (1 - rounding) * length);
-    stem.vertices.push_back(m_points.size() - 1);
-    stem.patches = { patch(is_other_left ? other : kept, true), patch(is_other_left ? kept : other, false) };
+    Arc_3 shared = m_arcs[kept.arc];
+    shared.vertices = vertices_between(kept, 0, (1 - rounding) * length);
+    shared.vertices.push_back(m_points.size() - 1);
+    shared.patches = { left_patch(is_other_left ? other : kept), right_patch(is_other_left ? kept : other) };
     const End_of_arc_3 back = { m_arcs.size(), 1 };
     m_corners_of_arcs.push_back({ c, m_corners.size() });
     m_corners.push_back({ m_points.size() - 1, false, { kept, other, back } });
     if(!is_other_left)
       std::swap(m_corners.back().ends[0], m_corners.back().ends[1]);
-    m_lines.push_back(line_through(stem.vertices));
-    m_arcs.push_back(stem);
+    m_lines.push_back(line_through(shared.vertices));
+    m_arcs.push_back(shared);
   }
 
-  // Lets an arc begin, or end, at the last corner, without its part up to a length.
+  // Cuts the part up to a length off an end of an arc. The arc has this end at the last corner then.
   void begin_at_last_corner(const End_of_arc_3& end, const double length)
   {
     std::vector<std::size_t> vertices = vertices_between(end, (1 + rounding) * length, 2 * m_lines[end.arc].length());
@@ -376,10 +381,11 @@ private:
   double length_from(const End_of_arc_3& end, const double length) const
   { return end.side == 0 ? length : m_lines[end.arc].length() - length; }
 
+  // Returns the point of an arc at a length from one of its ends.
   Vector_3 point_at(const End_of_arc_3& end, const double length) const
   { return m_lines[end.arc].point(length_from(end, length)); }
 
-  // Returns how far an arc remains within a distance of another one.
+  // Returns the length from its end up to which the other arc remains within the width of the kept one.
   double shared_length(const End_of_arc_3& kept, const End_of_arc_3& other, const double width) const
   {
     constexpr double step = 0.25; // a guess; in widths
@@ -390,7 +396,7 @@ private:
     return result;
   }
 
-  // Returns the vertices of an arc between two lengths from one of its ends, in the order from there; the second length excludes.
+  // Returns the vertices of an arc at lengths from one of its ends in [first, last), in the order from there.
   std::vector<std::size_t> vertices_between(const End_of_arc_3& end, const double first, const double last) const
   {
     std::vector<std::pair<double, std::size_t> > vertices;
@@ -404,6 +410,7 @@ private:
     return result;
   }
 
+  // Makes the surface of each patch.
   void find_surfaces()
   {
     const std::size_t n = m_patches.empty() ? 0 : 1 + *std::max_element(m_patches.begin(), m_patches.end());

@@ -75,7 +75,8 @@ public:
     return m_edges.size();
   }
 
-  // Returns the edges of the shortest path for weights of edges; none if there is no path without an infinite weight.
+  // Returns the edges of the shortest path between two vertices; none if there is no path. Takes a function for the weight of an
+  // edge. An edge whose weight is the largest double is in no path.
   template <typename Weight>
   std::vector<std::size_t> shortest_path(const std::size_t source, const std::size_t target, const Weight& weight) const
   {
@@ -104,6 +105,7 @@ private:
 
   struct Reached {};
 
+  // Ends the search by an exception as soon as the path to the target is known.
   struct Stop_at : boost::default_dijkstra_visitor
   {
     std::size_t target;
@@ -127,6 +129,5 @@ private:
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal
-
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_BOUNDARY_GRAPH_3_H

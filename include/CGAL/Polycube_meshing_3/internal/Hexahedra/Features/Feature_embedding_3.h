@@ -28,8 +28,9 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Feature_embedding_3
 {
 public:
+  // Takes the length of edges of hexahedra without distortion, to which distances are relative.
   Feature_embedding_3(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge)
-    : m_complex(complex), m_mesh(mesh), m_graph(mesh), m_edge(edge), m_is_dropped(complex.arcs().size(), false),
+    : m_complex(complex), m_mesh(mesh), m_graph(mesh), m_edge(edge), m_is_given_up(complex.arcs().size(), false),
       m_paths(complex.arcs().size()), m_costs(complex.arcs().size()), m_deviations(complex.number_of_patches()),
       m_ports(complex.arcs().size(), std::array<std::size_t, 2>{ none, none }), m_corner_at(mesh.points.size(), none)
   {
@@ -44,8 +45,8 @@ public:
 
   bool is_possible() const { return m_complex.is_manifold() && m_graph.is_manifold() && !m_complex.arcs().empty(); }
 
-  // Finds paths for all curves but those that are given up. Returns whether there are some, and each region of quadrangles belongs
-  // to one patch of the body, or to patches that are joined. An arc beside wrong regions is given up, too.
+  // Finds paths for all curves but those that are given up. A curve beside wrong regions is given up, too. Returns whether there
+  // are some paths, and each region of quadrangles belongs to one patch of the body, or to patches that are joined.
   bool run(const Budget& budget, const std::set<std::size_t>& curves_given_up = {})
   {
     if(!is_possible())
@@ -87,18 +88,18 @@ public:
   }
 
   const Boundary_graph_3& graph() const { return m_graph; }
-  std::ptrdiff_t number_given_up() const { return std::count(m_is_dropped.begin(), m_is_dropped.end(), true); }
+  std::ptrdiff_t number_given_up() const { return std::count(m_is_given_up.begin(), m_is_given_up.end(), true); }
   const std::vector<std::size_t>& path(const std::size_t arc) const { return m_paths[arc]; } // edges
   const std::set<std::size_t>& contested() const { return m_contested; } // edges of arcs given up, at vertices of other arcs
   std::size_t vertex(const std::size_t corner) const { return m_vertices[corner]; }
   std::size_t region(const std::size_t quadrangle) const { return m_regions[quadrangle]; }
   const std::vector<std::set<std::size_t> >& patches() const { return m_patches; } // of each region
 
-  // Returns whether an arc that is not given up ends in a corner.
+  // Returns whether any arc that ends in a corner is not given up.
   bool is_used(const std::size_t corner) const
   {
     const std::vector<End_of_arc_3>& ends = m_complex.corners()[corner].ends;
-    return std::any_of(ends.begin(), ends.end(), [&](const End_of_arc_3& end) { return !m_is_dropped[end.arc]; });
+    return std::any_of(ends.begin(), ends.end(), [&](const End_of_arc_3& end) { return !m_is_given_up[end.arc]; });
   }
 
 private:
@@ -118,6 +119,7 @@ private:
     return found->second;
   }
 
+  // Returns the distance of a vertex from an arc, in edges.
   double distance(const std::size_t v, const std::size_t arc) const
   { return m_complex.line(arc).nearest(m_mesh.points[v]).first / m_edge; }
 
@@ -125,18 +127,22 @@ private:
   // quadrangles beside it from the patches beside the arc.
   double cost(const std::size_t e, const std::size_t arc)
   {
+    constexpr double price_of_edge = 0.05, price_of_length = 0.3, price_of_distance = 1.5, price_of_deviation = 0.6; // guesses
     const auto [found, is_new] = m_costs[arc].try_emplace(e, 0);
     if(is_new)
     {
       const std::size_t v = m_graph.source(e), w = m_graph.target(e);
       const double to_v = distance(v, arc), to_w = distance(w, arc);
       const auto& [left, right] = m_complex.arcs()[arc].patches;
-      const double price = 0.3 + 1.5 * (to_v * to_v + to_w * to_w)
-                           + 0.6 * (deviation(m_graph.left(e), left) + deviation(m_graph.left(m_graph.opposite(e)), right));
-      found->second = 0.05 + price * (m_mesh.points[w] - m_mesh.points[v]).norm() / m_edge;
+      const double price = price_of_length + price_of_distance * (to_v * to_v + to_w * to_w) + price_of_deviation
+        * (deviation(m_graph.left(e), left) + deviation(m_graph.left(m_graph.opposite(e)), right));
+      found->second = price_of_edge + price * (m_mesh.points[w] - m_mesh.points[v]).norm() / m_edge;
     }
     return found->second;
   }
+
+  // Returns the index by which an edge and its opposite one are counted together.
+  std::size_t undirected(const std::size_t e) const { return (std::min)(e, m_graph.opposite(e)); }
 
   int subdomain(const std::size_t quadrangle) const { return m_mesh.cell_references[m_mesh.facet_cells[quadrangle]]; }
 
@@ -149,20 +155,16 @@ private:
   }
 
   // Returns the arcs that end in a corner and are not given up.
-  std::vector<End_of_arc_3> ends(const std::size_t corner) const
+  std::vector<End_of_arc_3> kept_ends(const std::size_t corner) const
   {
     std::vector<End_of_arc_3> result;
     for(const End_of_arc_3& end : m_complex.corners()[corner].ends)
-      if(!m_is_dropped[end.arc])
+      if(!m_is_given_up[end.arc])
         result.push_back(end);
     return result;
   }
 
-  // Returns the patch on the left or right of an arc that leaves a corner.
-  std::size_t patch_beside(const End_of_arc_3& end, const bool is_left) const
-  { return m_complex.arcs()[end.arc].patches[(end.side == 0) != is_left]; }
-
-  // Gives each corner a vertex near it: first to the pair of the least cost, and so on.
+  // Gives each corner a vertex near it: first the pair of the least cost, and so on. Gives curves at corners without a vertex up.
   void assign_corners()
   {
     constexpr std::size_t number_of_candidates = 60; // a guess
@@ -195,6 +197,7 @@ private:
           give_up(m_complex.arcs()[end.arc].curve);
   }
 
+  // Returns the cost of a vertex for a corner: for its distance, edges that arcs lack, other normals, and other subdomains.
   double cost_of_corner(const std::size_t c, const std::size_t v) const
   {
     constexpr double price_of_edge = 1.5, price_of_normals = 0.7, price_of_subdomains = 10; // guesses
@@ -207,8 +210,8 @@ private:
       subdomains.insert(subdomain(m_graph.left(e)));
     for(const End_of_arc_3& end : corner.ends)
     {
-      subdomains_of_corner.insert(m_complex.subdomain(patch_beside(end, true)));
-      const Vector_3 normal = m_complex.surface(patch_beside(end, true)).normal(p);
+      subdomains_of_corner.insert(m_complex.subdomain(m_complex.left_patch(end)));
+      const Vector_3 normal = m_complex.surface(m_complex.left_patch(end)).normal(p);
       double least = 2;
       for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
         least = (std::min)(least, 1 - normal.dot(m_normals[m_graph.left(e)]));
@@ -218,10 +221,11 @@ private:
            + price_of_normals * turn + price_of_subdomains * (subdomains != subdomains_of_corner);
   }
 
-  // Chooses the edge by which each arc should leave a corner: those of the least sum of costs in the order of the body.
+  // Chooses a port for each arc at a corner, the edge by which the arc should leave: those with the least sum of costs. Tries all
+  // choices of edges in the order of the body. If edges are too few, ports stay as they are.
   void choose_ports(const std::size_t corner)
   {
-    const std::vector<End_of_arc_3> leaving = ends(corner);
+    const std::vector<End_of_arc_3> leaving = kept_ends(corner);
     const std::size_t v = m_vertices[corner], n = m_graph.degree(v), number = leaving.size();
     if(number == 0 || number > n)
       return;
@@ -254,21 +258,24 @@ private:
       m_ports[leaving[i].arc][leaving[i].side] = m_graph.target(m_graph.first(v) + best[i] % n);
   }
 
+  // Returns the cost of an edge as port of an arc: for its direction, distance, quadrangles beside it, and another corner there.
   double cost_of_port(const std::size_t corner, const End_of_arc_3& end, const std::size_t e)
   {
-    constexpr double price_of_other_corner = 5; // a guess
+    constexpr double price_of_distance = 0.3, price_of_deviation = 0.5, price_of_other_corner = 5; // guesses
     const Polyline_3& line = m_complex.line(end.arc);
     const std::size_t w = m_graph.target(e), other = m_complex.corner({ end.arc, 1 - end.side });
     const Vector_3 way = m_mesh.points[w] - m_mesh.points[m_graph.source(e)];
     const double length = (std::min)(way.norm(), line.length());
     const Vector_3 along
       = line.point(end.side == 0 ? length : line.length() - length) - m_complex.points()[m_complex.corners()[corner].vertex];
-    const double result = 1 - way.stableNormalized().dot(along.stableNormalized()) + 0.3 * distance(w, end.arc)
-      + 0.5 * (deviation(m_graph.left(e), patch_beside(end, true))
-               + deviation(m_graph.left(m_graph.opposite(e)), patch_beside(end, false)));
+    const double result = 1 - way.stableNormalized().dot(along.stableNormalized()) + price_of_distance * distance(w, end.arc)
+      + price_of_deviation * (deviation(m_graph.left(e), m_complex.left_patch(end))
+                              + deviation(m_graph.left(m_graph.opposite(e)), m_complex.right_patch(end)));
     return result + (m_corner_at[w] != none && m_corner_at[w] != other ? price_of_other_corner : 0);
   }
 
+  // Returns the edges of the cheapest path for an arc; none if there is no path. Each other path at a vertex or edge costs the
+  // price, besides what the history of conflicts there costs.
   std::vector<std::size_t> route(const std::size_t arc, const double price)
   {
     const std::size_t source_corner = m_complex.corner({ arc, 0 }), target_corner = m_complex.corner({ arc, 1 });
@@ -281,8 +288,7 @@ private:
       double result = cost(e, arc);
       if(w != target)
         result += m_history[w] + price * m_occupied[w];
-      const std::size_t undirected = (std::min)(e, m_graph.opposite(e));
-      result += m_history_of_edges[undirected] + price * m_occupied_edges[undirected];
+      result += m_history_of_edges[undirected(e)] + price * m_occupied_edges[undirected(e)];
       if(v == source && w != m_ports[arc][0])
         result += m_penalties[source_corner];
       if(w == target && v != m_ports[arc][1])
@@ -291,11 +297,12 @@ private:
     });
   }
 
-  void occupy(const std::size_t arc, const int change)
+  // Counts the path of an arc (with the change 1), or counts it no longer (-1), at its edges and the vertices between them.
+  void count_path(const std::size_t arc, const int change)
   {
     for(const std::size_t e : m_paths[arc])
     {
-      m_occupied_edges[(std::min)(e, m_graph.opposite(e))] += change;
+      m_occupied_edges[undirected(e)] += change;
       if(e != m_paths[arc].back())
         m_occupied[m_graph.target(e)] += change;
     }
@@ -305,7 +312,7 @@ private:
   bool is_in_order(const std::size_t corner) const
   {
     std::vector<std::size_t> edges;
-    for(const End_of_arc_3& end : ends(corner))
+    for(const End_of_arc_3& end : kept_ends(corner))
       if(const std::vector<std::size_t>& path = m_paths[end.arc]; !path.empty())
         edges.push_back(end.side == 0 ? path.front() : m_graph.opposite(path.back()));
     int number_of_descents = 0;
@@ -319,39 +326,42 @@ private:
     return number_of_descents <= 1;
   }
 
-  // Returns the number of conflicts in the path of an arc; corners out of order count, too.
+  // Returns the number of conflicts in the path of an arc, lowered for long paths, which are rather kept. Corners out of order
+  // count, too. An arc without a path has more conflicts than others.
   double conflicts(const std::size_t arc) const
   {
+    constexpr double without_path = 100, part_of_edge = 0.05; // guesses
     if(m_paths[arc].empty())
-      return 100;
+      return without_path;
     double result = 0;
     for(const std::size_t e : m_paths[arc])
     {
-      result += m_occupied_edges[(std::min)(e, m_graph.opposite(e))] - 1;
+      result += m_occupied_edges[undirected(e)] - 1;
       if(e != m_paths[arc].back())
         result += m_occupied[m_graph.target(e)] - 1;
     }
     for(const std::size_t side : { 0, 1 })
       result += !is_in_order(m_complex.corner({ arc, side }));
-    return result / (1 + 0.05 * static_cast<double>(m_paths[arc].size())); // longer ones are kept
+    return result / (1 + part_of_edge * static_cast<double>(m_paths[arc].size()));
   }
 
+  // Gives a curve up: removes the paths of its arcs, and adds their edges at vertices of other paths to the contested ones.
   void give_up(const std::size_t curve)
   {
     for(std::size_t a = 0; a < m_paths.size(); ++a)
-      if(m_complex.arcs()[a].curve == curve && !m_is_dropped[a])
+      if(m_complex.arcs()[a].curve == curve && !m_is_given_up[a])
       {
         for(const std::size_t e : m_paths[a])
           if((std::max)(m_occupied[m_graph.source(e)], m_occupied[m_graph.target(e)]) > 1)
             m_contested.insert(e);
-        if(!m_paths[a].empty())
-          occupy(a, -1);
+        count_path(a, -1);
         m_paths[a].clear();
-        m_is_dropped[a] = true;
+        m_is_given_up[a] = true;
       }
   }
 
-  // Gives up the arc of these whose path is longest, relative to the arc. It would go another way if others left room.
+  // Gives up the curve of the arc, of these, whose path is longest relative to the arc. Before that, the arc gets the path that it
+  // would have if others left room, as edges of this path are contested.
   void give_up_longest_detour(const std::vector<std::size_t>& arcs)
   {
     std::pair<double, std::size_t> longest = { -1, none };
@@ -362,27 +372,20 @@ private:
         length += (m_mesh.points[m_graph.target(e)] - m_mesh.points[m_graph.source(e)]).norm();
       longest = (std::max)(longest, { length / m_complex.line(a).length(), a });
     }
-    occupy(longest.second, -1);
-    m_paths[longest.second] = route(longest.second, 0);
-    occupy(longest.second, 1);
+    replace_path(longest.second, 0);
     give_up(m_complex.arcs()[longest.second].curve);
   }
 
-  // Replaces paths in the given order: those of all arcs that are not given up, or of those with conflicts alone.
-  void reroute(const std::vector<std::size_t>& order, const double price, const bool have_conflicts)
+  void replace_path(const std::size_t arc, const double price)
   {
-    for(const std::size_t a : order)
-      if(!m_is_dropped[a] && (!have_conflicts || conflicts(a) > 0))
-      {
-        occupy(a, -1);
-        m_paths[a] = route(a, price);
-        occupy(a, 1);
-      }
+    count_path(arc, -1);
+    m_paths[arc] = route(arc, price);
+    count_path(arc, 1);
   }
 
-  // Returns whether paths of the arcs that are left are disjoint and in order. Curves are given up after the last round, or when
-  // rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the conflicts. Since then, only arcs
-  // with conflicts get other paths after the first round.
+  // Finds paths of the arcs that are not given up. Returns whether these paths are disjoint and in order. Curves are given up
+  // after the last round, or when rounds do not lower a large number of conflicts: one curve, or as many as have a tenth of the
+  // conflicts. Since then, only arcs with conflicts get other paths after the first round.
   bool find_paths(const Budget& budget)
   {
     constexpr int number_of_rounds = 45, patience = 12, largest_number_given_up = 60; // guesses
@@ -402,7 +405,9 @@ private:
       for(int round = 0, in_vain = 0; round < number_of_rounds && in_vain < patience && !budget.is_exhausted();
           ++round, price = (std::min)(1.25 * price, 40.))
       {
-        reroute(order, price, round > 0 && number_given_up > 0);
+        for(const std::size_t a : order)
+          if(!m_is_given_up[a] && (round == 0 || number_given_up == 0 || conflicts(a) > 0))
+            replace_path(a, price);
         number = number_of_conflicts();
         if(number == 0)
           return true;
@@ -430,7 +435,7 @@ private:
   {
     std::pair<double, std::size_t> worst = { 0, none };
     for(std::size_t a = 0; a < m_paths.size(); ++a)
-      if(!m_is_dropped[a])
+      if(!m_is_given_up[a])
         worst = (std::max)(worst, { conflicts(a), a });
     return worst.second;
   }
@@ -444,7 +449,7 @@ private:
     for(std::size_t c = 0; c < m_penalties.size(); ++c)
       result += !is_in_order(c);
     for(std::size_t a = 0; a < m_paths.size(); ++a)
-      result += !m_is_dropped[a] && m_paths[a].empty();
+      result += !m_is_given_up[a] && m_paths[a].empty();
     return result;
   }
 
@@ -464,8 +469,9 @@ private:
         m_penalties[c] = (std::min)(growth_of_penalty * m_penalties[c], largest_penalty);
   }
 
-  // Joins patches across curves that were given up, and quadrangles across edges without a path. Returns the arcs with a path
-  // beside quadrangles that others name another region, or beside a second set of quadrangles of a patch that is not joined.
+  // Sets regions: joins patches across curves that were given up, and quadrangles across edges without a path. Returns the arcs
+  // beside wrong quadrangles: paths of other arcs give these another region, or there is a second set of quadrangles for a patch
+  // that is not joined to others.
   std::vector<std::size_t> find_regions()
   {
     Disjoint_sets patches(m_complex.number_of_patches()), quadrangles(m_mesh.facets.size());
@@ -473,7 +479,7 @@ private:
     for(std::size_t a = 0; a < m_paths.size(); ++a)
     {
       const auto& [left, right] = m_complex.arcs()[a].patches;
-      if(m_is_dropped[a])
+      if(m_is_given_up[a])
         patches.unite(left, right);
       for(const std::size_t e : m_paths[a])
         is_wall[e] = is_wall[m_graph.opposite(e)] = true;
@@ -486,7 +492,7 @@ private:
     for(std::size_t p = 0; p < numbers.size(); ++p)
       m_patches[numbers[p]].insert(p);
     std::map<std::size_t, std::size_t> region_of_set, set_of_region;
-    const auto name = [&](const std::size_t e, const std::size_t patch)
+    const auto assign_region = [&](const std::size_t e, const std::size_t patch) // to the quadrangles on the left of e
     {
       const std::size_t set = quadrangles.find(m_graph.left(e)), region = numbers[patch];
       return region_of_set.emplace(set, region).first->second == region
@@ -495,7 +501,8 @@ private:
     std::vector<std::size_t> wrong;
     for(std::size_t a = 0; a < m_paths.size(); ++a)
       for(const std::size_t e : m_paths[a])
-        if(!name(e, m_complex.arcs()[a].patches[0]) || !name(m_graph.opposite(e), m_complex.arcs()[a].patches[1]))
+        if(!assign_region(e, m_complex.arcs()[a].patches[0])
+           || !assign_region(m_graph.opposite(e), m_complex.arcs()[a].patches[1]))
           wrong.push_back(a);
     m_regions.clear();
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
@@ -508,6 +515,7 @@ private:
     return wrong;
   }
 
+  // Returns the patch from which a quadrangle deviates least.
   std::size_t nearest_patch(const std::size_t f)
   {
     std::pair<double, std::size_t> nearest = { (std::numeric_limits<double>::infinity)(), 0 };
@@ -521,12 +529,12 @@ private:
   const Boundary_graph_3 m_graph;
   const double m_edge;
   std::vector<Vector_3> m_centers, m_normals; // of quadrangles
-  std::vector<bool> m_is_dropped;             // of each arc
+  std::vector<bool> m_is_given_up;             // of each arc
   std::vector<std::vector<std::size_t> > m_paths; // edges of each arc
   std::vector<std::unordered_map<std::size_t, double> > m_costs, m_deviations; // of edges for arcs, quadrangles for patches
-  std::vector<std::array<std::size_t, 2> > m_ports; // vertices by which arcs should leave their corners
+  std::vector<std::array<std::size_t, 2> > m_ports; // second vertices that paths should have from both ends of each arc
   std::vector<std::size_t> m_corner_at, m_vertices; // corner of each vertex, vertex of each corner
-  std::vector<double> m_history, m_history_of_edges, m_penalties; // of vertices, edges, corners
+  std::vector<double> m_history, m_history_of_edges, m_penalties; // prices of vertices, edges, and corners
   std::vector<int> m_occupied, m_occupied_edges; // numbers of paths
   std::set<std::size_t> m_contested; // edges
   std::vector<std::size_t> m_regions; // of each quadrangle
@@ -534,6 +542,5 @@ private:
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal
-
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_FEATURE_EMBEDDING_3_H

@@ -16,13 +16,13 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Takes the layer along the boundary away where the hexahedra under it fit the dihedral angles of the body. It stays under
-// quadrangles with another angle at an edge. A layer ends at curves under which one hexahedron has the quadrangles on both sides.
+// Removes the layer along the boundary where the hexahedra under it fit the dihedral angles of the body. The layer stays under
+// quadrangles with another angle at an edge. It ends at curves under which one hexahedron has the quadrangles on both sides.
 class Layer_removal_3
 {
 public:
   // Takes the complex of the body, paths for its arcs, hexahedra with a layer along the boundary, and the regions whose layer
-  // stays. Then the layer of the regions beside them stays, too.
+  // stays. Regions beside these keep their layer, too.
   Layer_removal_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
                   const std::set<std::size_t>& kept_regions)
     : m_complex(complex), m_embedding(embedding), m_graph(embedding.graph()), m_mesh(mesh),
@@ -33,11 +33,12 @@ public:
         m_arc_of_edge[e] = m_arc_of_edge[m_graph.opposite(e)] = a;
     const std::set<std::size_t> kept_facets = find_inner_vertices();
     find_layers(kept_regions, kept_facets);
-    while(keep_more())
+    while(keep_more_layers())
       ;
-    remove();
+    make_result();
   }
 
+  // Returns the hexahedra that are left.
   const Hexahedra_3& result() const { return m_result; }
 
   // Returns the old quadrangle of each new one. At the end of a layer, it is the one on the other side of the curve.
@@ -55,7 +56,7 @@ public:
       if(i > 0)
       {
         const std::size_t e = m_graph.edge(vertices[i - 1], vertices[i]);
-        if(!is_kept_at(e) && !is_kept_at(m_graph.opposite(e)))
+        if(!is_kept_left_of(e) && !is_kept_left_of(m_graph.opposite(e)))
           for(const std::size_t v : { vertices[i - 1], vertices[i] })
             if(is_kept(v))
               result.push_back(m_numbers[m_inner[v]]);
@@ -68,14 +69,15 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
+  // Returns whether the layer under a quadrangle stays, or under the one on the left of an edge.
   bool is_kept_facet(const std::size_t f) const { return m_is_kept[m_layers[f]]; }
-  bool is_kept_at(const std::size_t e) const { return is_kept_facet(m_graph.left(e)); }
+  bool is_kept_left_of(const std::size_t e) const { return is_kept_facet(m_graph.left(e)); }
 
   // Returns whether a vertex has a quadrangle whose layer stays.
   bool is_kept(const std::size_t v) const
   {
     for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
-      if(is_kept_at(e))
+      if(is_kept_left_of(e))
         return true;
     return false;
   }
@@ -109,14 +111,14 @@ private:
     return result;
   }
 
-  // Returns whether so many hexahedra can share an angle.
+  // Returns whether so many hexahedra can share an angle, which is in degrees.
   static bool is_divisible(const double angle, const std::size_t number)
   {
     constexpr double largest_deviation = 40; // a guess; in degrees
     return number > 0 && std::abs(angle / static_cast<double>(number) - 90) <= largest_deviation;
   }
 
-  // Returns the angle of the body at an edge of the boundary, in degrees.
+  // Returns the angle of the body at an edge of the boundary, in degrees: 180 if the edge is in no path.
   double dihedral_angle(const std::size_t e) const
   {
     constexpr double part_of_line = 0.01; // a guess
@@ -133,7 +135,8 @@ private:
     return 180 - 180 / CGAL_PI * std::atan2(along.stableNormalized().dot(n.cross(m)), n.dot(m));
   }
 
-  // Joins quadrangles that keep or lose their layer together, and keeps it where the angle at an edge asks for that.
+  // Joins quadrangles that keep or lose their layer together. Keeps the layer of given regions and quadrangles, and where
+  // hexahedra under it do not fit the angle at an edge.
   void find_layers(const std::set<std::size_t>& kept_regions, const std::set<std::size_t>& kept_facets)
   {
     const auto is_kept_in_any_case = [&](const std::size_t f)
@@ -168,7 +171,7 @@ private:
 
   // Keeps all layers at vertices where they cannot end: an end has two edges, at most one curve that goes on along it, and an
   // angle that its hexahedra can share. Returns whether there was such a vertex.
-  bool keep_more()
+  bool keep_more_layers()
   {
     bool has_changed = false;
     for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
@@ -179,7 +182,7 @@ private:
       double angle = 180;
       for(std::size_t e = m_graph.first(v); e < m_graph.first(v + 1); ++e)
       {
-        const bool left = is_kept_at(e), right = is_kept_at(m_graph.opposite(e));
+        const bool left = is_kept_left_of(e), right = is_kept_left_of(m_graph.opposite(e));
         number_kept += left;
         number_of_ends += left != right;
         if(!left && !right && m_arc_of_edge[e] != none)
@@ -197,7 +200,8 @@ private:
     return has_changed;
   }
 
-  void remove()
+  // Sets the result, the new numbers of its vertices, and the old quadrangles of its boundary.
+  void make_result()
   {
     std::map<std::array<std::size_t, 4>, std::size_t> old_facets; // of quadrangles under layers that go, and at ends of others
     std::vector<bool> is_removed(m_mesh.cells.size(), false);
@@ -208,7 +212,7 @@ private:
         old_facets[sorted(vertices_of(m_mesh, under(f)))] = f;
       }
     for(std::size_t e = 0; e < m_graph.number_of_edges(); ++e)
-      if(!is_kept_at(e) && is_kept_at(m_graph.opposite(e)))
+      if(!is_kept_left_of(e) && is_kept_left_of(m_graph.opposite(e)))
       {
         const std::size_t v = m_graph.source(e), w = m_graph.target(e);
         old_facets[sorted(std::array<std::size_t, 4>{ v, w, m_inner[v], m_inner[w] })] = m_graph.left(e);
@@ -230,14 +234,14 @@ private:
     for(std::array<std::size_t, 8>& cell : m_result.cells)
       for(std::size_t& v : cell)
         v = m_numbers[v];
-    const auto add = [&](const std::size_t c, const std::size_t side, const std::size_t old)
+    const auto add = [&](const Quadrangle_of_hexahedron& quadrangle, const std::size_t old_facet)
     {
-      add_facet({ numbers_of_cells[c], side }, m_mesh.polycube_faces[old], m_result);
-      m_facets.push_back(old);
+      add_facet({ numbers_of_cells[quadrangle.cell], quadrangle.side }, m_mesh.polycube_faces[old_facet], m_result);
+      m_facets.push_back(old_facet);
     };
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       if(is_kept_facet(f))
-        add(m_mesh.facet_cells[f], side_of_facet(m_mesh, f), f);
+        add({ m_mesh.facet_cells[f], side_of_facet(m_mesh, f) }, f);
     for_each_quadrangle(m_mesh, [&](const auto begin, const auto end)
     {
       const auto found = old_facets.find(begin->first);
@@ -245,7 +249,7 @@ private:
         return;
       for(auto it = begin; it != end; ++it)
         if(!is_removed[it->second.cell])
-          add(it->second.cell, it->second.side, found->second);
+          add(it->second, found->second);
     });
   }
 

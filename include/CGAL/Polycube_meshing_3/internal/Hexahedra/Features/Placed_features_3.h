@@ -22,15 +22,16 @@ namespace CGAL::Polycube_meshing_3::internal {
 constexpr double distance_of_bends = 0.06;
 
 // Hexahedra with the places of an embedding: each quadrangle of the boundary has a region, and vertices are at a corner, on an
-// arc, in a region or inside. Starts with hexahedra that have one layer along the boundary. It may go where it is not needed.
+// arc, in a region or inside. Starts with hexahedra that have one layer along the boundary.
 class Placed_features_3
 {
 public:
+  // Takes the length of edges without distortion, and whether layers along the boundary may be removed if they are not needed.
   Placed_features_3(const Body_complex_3& complex, const Feature_embedding_3& embedding, const Hexahedra_3& mesh,
                     const double edge, const Body_surface_3& boundary, const bool may_remove_layers)
     : m_complex(complex), m_embedding(embedding), m_mesh(mesh), m_edge(edge), m_boundary(boundary)
   {
-    collect_paths();
+    take_embedding();
     find_arcs_of_edges();
     const std::set<std::size_t> cramped = cramped_regions();
     if(may_remove_layers)
@@ -46,9 +47,10 @@ public:
 
   bool has_removed_layers() const { return m_has_removed_layers; }
 
+  // Returns the hexahedra with their positions, which refer to surfaces of this object.
   Placed_hexahedra_3 result() const
   {
-    Placed_hexahedra_3 result = { m_mesh, {}, { { &m_boundary, {}, 0.2 } } };
+    Placed_hexahedra_3 result = { m_mesh, {}, { { &m_boundary, {}, tolerance_of_boundary } } };
     for(std::size_t v = 0; v < m_mesh.points.size(); ++v)
     {
       const Location& location = m_locations[v];
@@ -74,7 +76,8 @@ private:
          : location.freedom == Freedom_3::SURFACE ? m_surfaces[location.number].get() : &m_boundary;
   }
 
-  void collect_paths()
+  // Takes the vertices of paths, the corners and the regions over from the embedding.
+  void take_embedding()
   {
     const Boundary_graph_3& graph = m_embedding.graph();
     for(std::size_t a = 0; a < m_complex.arcs().size(); ++a)
@@ -159,6 +162,7 @@ private:
                        [](const auto& curve) { return curve.second.size() > 2; }); // those of two opposite edges
   }
 
+  // Returns the regions with a cramped quadrangle.
   std::set<std::size_t> cramped_regions() const
   {
     std::set<std::size_t> result;
@@ -168,7 +172,7 @@ private:
     return result;
   }
 
-  // Takes the layer along the boundary away where it is not needed.
+  // Removes the layer along the boundary where it is not needed, and updates paths, corners and regions.
   void remove_layers(const std::set<std::size_t>& cramped)
   {
     const Layer_removal_3 removal(m_complex, m_embedding, m_mesh, cramped);
@@ -218,6 +222,7 @@ private:
       m_regions.push_back(parts[covered[m_mesh.facet_cells[f] - number].cell] - 1);
   }
 
+  // Finds the locations of all vertices, and the regions at those of the boundary.
   void collect_locations()
   {
     m_locations.resize(m_mesh.points.size());
@@ -235,6 +240,7 @@ private:
       m_locations[v] = { Freedom_3::NONE, c };
   }
 
+  // Makes the surface of each region, and for each arc the surface of the patches beside it, with the arc as line.
   void make_surfaces()
   {
     for(const std::set<std::size_t>& patches : m_embedding.patches())
@@ -283,7 +289,7 @@ private:
       m_mesh.points[v] = m_complex.points()[m_complex.corners()[c].vertex];
   }
 
-  // Returns the bends of a line for a path of so many edges; fewer of them, if it has not enough.
+  // Returns the bends of a line, as lengths along it: fewer than a path has edges, as each needs a vertex between two edges.
   std::vector<double> bends_for(const std::size_t number_of_edges, const Polyline_3& line) const
   {
     constexpr double growth = 1.2; // a guess
@@ -294,7 +300,8 @@ private:
     return result;
   }
 
-  // Chooses a vertex of a path for each bend, in order, with the least sum of squared distances.
+  // Returns the index in its path of a vertex for each bend, in order, with the least sum of squared distances. Takes the lengths
+  // along the line of bends and vertices.
   static std::vector<std::size_t> vertices_at(const std::vector<double>& bends, const std::vector<double>& lengths)
   {
     std::vector<std::vector<double> > least( // for the first bends among the first vertices
@@ -313,8 +320,9 @@ private:
     return result;
   }
 
-  // Makes the lengths between two others increase by a least distance each. Blends them with equal distances, and lowers the k-th
-  // one by k least distances. Then pools adjacent violators (isotonic regression), and adds the least distances again.
+  // Makes the lengths between the indices first and last increase by a least distance each. Blends them with equal distances, and
+  // lowers the k-th one by k least distances. Then pools adjacent violators (isotonic regression), and adds the least distances
+  // again.
   static void spread(const std::size_t first, const std::size_t last, std::vector<double>& lengths)
   {
     constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean
@@ -342,15 +350,15 @@ private:
         lengths[i] = lengths[first] + std::clamp(mean, 0., largest) + gap * static_cast<double>(i - first);
   }
 
-  // Returns for each vertex those at the other ends of its edges.
+  // Returns for each vertex v the vertices w at the other ends of its edges for which `is_neighbor(v, w)` is true.
   template <typename Predicate>
-  std::vector<std::vector<std::size_t> > neighbors(const Predicate& has_neighbors) const
+  std::vector<std::vector<std::size_t> > neighbors(const Predicate& is_neighbor) const
   {
     std::vector<std::vector<std::size_t> > result(m_mesh.points.size());
     for_each_corner(m_mesh, [&](const std::array<std::size_t, 4>& corner)
     {
       for(std::size_t i = 1; i < 4; ++i)
-        if(has_neighbors(corner[0], corner[i]))
+        if(is_neighbor(corner[0], corner[i]))
           result[corner[0]].push_back(corner[i]);
     });
     for(std::vector<std::size_t>& around : result)
@@ -358,14 +366,6 @@ private:
       std::sort(around.begin(), around.end());
       around.erase(std::unique(around.begin(), around.end()), around.end());
     }
-    return result;
-  }
-
-  Vector_3 mean(const std::vector<std::size_t>& vertices) const
-  {
-    Vector_3 result = Vector_3::Zero();
-    for(const std::size_t v : vertices)
-      result += m_mesh.points[v] / static_cast<double>(vertices.size());
     return result;
   }
 
@@ -382,13 +382,13 @@ private:
         if(m_locations[v].freedom == Freedom_3::SURFACE)
         {
           if(sweep > 0)
-            m_mesh.points[v] = mean(around[v]);
+            m_mesh.points[v] = mean_of(m_mesh.points, around[v]);
           if(sweep % sweeps_between_projections == 0)
             m_mesh.points[v] = surface(m_locations[v])->nearest(m_mesh.points[v], Freedom_3::SURFACE);
         }
   }
 
-  // Returns the direction that leads into the body and is farthest inside of all regions at a vertex.
+  // Returns the unit vector into the body whose least angle with the regions at a vertex is largest, up to steps of a search.
   Vector_3 direction_inside(const std::size_t v) const
   {
     constexpr int number_of_steps = 60; // a guess
@@ -409,8 +409,8 @@ private:
     return result;
   }
 
-  // Puts the vertices under the boundary near it, in the direction inside, and lets all others follow: they move by the mean of
-  // what their neighbors do. Therefore, hexahedra far inside remain valid.
+  // Puts the vertices under the boundary near it, in the direction inside, and lets all others follow: each moves by the mean of
+  // the moves of its neighbors from the start. Therefore, hexahedra far inside remain valid.
   void move_inside(const std::vector<Vector_3>& start)
   {
     constexpr double depth = 0.3;       // a guess; relative to the edges at the vertex
@@ -466,6 +466,5 @@ private:
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal
-
 
 #endif // CGAL_POLYCUBE_MESHING_3_INTERNAL_HEXAHEDRA_FEATURES_PLACED_FEATURES_3_H

@@ -42,19 +42,20 @@ public:
         ++m_sizes[m_sheets.at(first_edge(cell, axis))];
   }
 
-  std::size_t sheet(const std::array<std::size_t, 2>& e) const { return m_sheets.at(sorted(e)); }
+  std::size_t sheet(const std::array<std::size_t, 2>& e) const { return m_sheets.at(sorted(e)); } // across an edge
   std::size_t size(const std::size_t sheet) const { return m_sizes.at(sheet); } // number of hexahedra that a cut adds
 
-  // Adds a sheet to others, unless it is among them or its hexahedra are too many. Returns whether it does.
-  bool take(const std::size_t sheet, std::set<std::size_t>& sheets, std::size_t& most) const
+  // Adds a sheet to others, unless it is among them or larger than the number left of hexahedra that cuts may add. Lowers this
+  // number. Returns whether the sheet is added.
+  bool take(const std::size_t sheet, std::set<std::size_t>& sheets, std::size_t& number_left) const
   {
-    if(size(sheet) > most || !sheets.insert(sheet).second)
+    if(size(sheet) > number_left || !sheets.insert(sheet).second)
       return false;
-    most -= size(sheet);
+    number_left -= size(sheet);
     return true;
   }
 
-  // Returns the hexahedra with sheets cut in two.
+  // Returns the hexahedra with these sheets cut in two.
   Hexahedra_3 cut(const std::set<std::size_t>& sheets) const
   {
     Hexahedra_3 result;
@@ -62,7 +63,7 @@ public:
     std::vector<std::vector<std::size_t> > facets(m_mesh.cells.size());
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
       facets[m_mesh.facet_cells[f]].push_back(f);
-    std::map<std::vector<std::size_t>, std::size_t> middles;
+    std::map<std::vector<std::size_t>, std::size_t> middles; // new vertices, by the sorted old ones around them
     for(std::size_t c = 0; c < m_mesh.cells.size(); ++c)
     {
       std::array<std::size_t, 3> numbers; // of parts along each axis
@@ -70,7 +71,7 @@ public:
         numbers[axis] = 1 + sheets.count(m_sheets.at(first_edge(m_mesh.cells[c], axis)));
       for(std::size_t part = 0; part < numbers[0] * numbers[1] * numbers[2]; ++part)
       {
-        const std::array<std::size_t, 3> at
+        const std::array<std::size_t, 3> at // position of the part along each axis
           = { part % numbers[0], part / numbers[0] % numbers[1], part / (numbers[0] * numbers[1]) };
         std::array<std::size_t, 8> cell;
         for(std::size_t k = 0; k < 8; ++k)
@@ -96,10 +97,12 @@ private:
   static Edge first_edge(const std::array<std::size_t, 8>& cell, const std::size_t axis)
   { return sorted(Edge{ cell[0], cell[corners_of_hexahedron[0][1 + axis]] }); }
 
+  // Returns the axis that the quadrangle on a side is orthogonal to.
   static std::size_t axis_across(const std::size_t side)
   { return 3 - axes_of_quadrangle[side][0] - axes_of_quadrangle[side][1]; }
 
-  // Returns vertex k of a part of a hexahedron: an old one, or the middle of an edge, a quadrangle or the hexahedron.
+  // Returns vertex k of a part of hexahedron c: an old one, or the middle of an edge, a quadrangle or the hexahedron. Adds the
+  // point of a new middle. Takes the number of parts and the position of the part along each axis.
   std::size_t vertex(const std::size_t c, const std::size_t k, const std::array<std::size_t, 3>& numbers,
                      const std::array<std::size_t, 3>& at, std::map<std::vector<std::size_t>, std::size_t>& middles,
                      Hexahedra_3& result) const
@@ -119,16 +122,11 @@ private:
       return around[0];
     const auto [middle, is_new] = middles.emplace(around, result.points.size());
     if(is_new)
-    {
-      Vector_3 point = Vector_3::Zero();
-      for(const std::size_t v : around)
-        point += m_mesh.points[v] / static_cast<double>(around.size());
-      result.points.push_back(point);
-    }
+      result.points.push_back(mean_of(m_mesh.points, around));
     return middle->second;
   }
 
-  // Numbers the hexahedra along each axis of a block without gaps.
+  // Numbers the indices of hexahedra along each axis of a block anew, from 0 without gaps.
   static void number_indices(Hexahedra_3& mesh)
   {
     for(std::size_t axis = 0; axis < 3; ++axis)

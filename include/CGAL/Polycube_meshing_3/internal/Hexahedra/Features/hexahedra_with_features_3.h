@@ -25,7 +25,7 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-constexpr double tolerance_of_features = 0.1; // how far hexahedra may be from features that they keep, in edges
+constexpr double tolerance_of_features = 0.1; // largest distance of hexahedra from features that they keep, in edges
 
 // Returns for each corner of a body the vertices of the boundary that are near it.
 inline std::vector<std::vector<std::size_t> > vertices_at_corners_3(const Body_complex_3& complex, const Hexahedra_3& mesh,
@@ -40,8 +40,8 @@ inline std::vector<std::vector<std::size_t> > vertices_at_corners_3(const Body_c
   return result;
 }
 
-// Returns which corners, curves and patches of a body hexahedra have: a corner is near a vertex of the boundary, all points of a
-// curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is a tenth of an edge.
+// Counts and names the corners, curves and patches of a body that hexahedra keep: a corner is near a vertex of the boundary, all
+// vertices of a curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is within the tolerance.
 inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                                 const Hexahedra_3& mesh, const double edge)
 {
@@ -96,7 +96,7 @@ inline std::size_t number_of_kept(const Hexahedral_mesh_features& features)
 inline std::size_t number_of_features(const Hexahedral_mesh_features& features)
 { return features.number_of_corners + features.number_of_curves + features.number_of_patches; }
 
-// Returns a sentence on features that are not kept; an empty one if all are.
+// Returns a sentence on features that are not kept; an empty string if all are.
 inline std::string sentence_on_features(const Hexahedral_mesh_features& features)
 {
   if(number_of_kept(features) == number_of_features(features))
@@ -110,7 +110,7 @@ inline std::string sentence_on_features(const Hexahedral_mesh_features& features
                   ". To keep more, make the spacing smaller.");
 }
 
-// Gives a mesh the edges along curves, with both vertices on these, and the vertices at corners.
+// Adds to the soup the edges along curves, with both vertices on these and their references, and the vertices at corners.
 inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge, Hexahedron_soup_3& soup)
 {
   const double tolerance = tolerance_of_features * edge, rounding = 1e-6 * edge;
@@ -133,7 +133,7 @@ inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh,
 }
 
 // Returns hexahedra with a layer along the boundary, and with more edges at the vertices for corners where many arcs end: one of
-// the hexahedra there gets hexahedra around it.
+// the hexahedra there gets a layer around it, but not on the boundary.
 inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge)
 {
   constexpr int number_of_rounds = 6; // a guess
@@ -152,7 +152,7 @@ inline Hexahedra_3 with_room_for_corners_3(const Body_complex_3& complex, const 
     }
     if(covered.empty())
       break;
-    for(std::size_t f = 0; f < result.facets.size(); ++f) // the boundary remains one
+    for(std::size_t f = 0; f < result.facets.size(); ++f)
       if(parts[result.facet_cells[f]] > 0)
         covered.erase(std::find_if(covered.begin(), covered.end(), [&, side = side_of_facet(result, f)](const auto& q)
                                    { return q.cell == result.facet_cells[f] && q.side == side; }));
@@ -173,6 +173,7 @@ struct Embedded_features_3
 
   Embedded_features_3(const Embedded_features_3&) = delete;
 
+  // Returns the sheet across an edge of the graph.
   std::size_t sheet(const Sheets_3& sheets, const std::size_t e) const
   { return sheets.sheet({ embedding.graph().source(e), embedding.graph().target(e) }); }
 };
@@ -206,8 +207,8 @@ inline std::set<std::size_t> sheets_for_bends_3(const Body_complex_3& complex, c
 }
 
 // Returns hexahedra with paths for features but the curves given up, made of others by a layer along the boundary and sheets
-// across curves that have too few edges. Other sheets are cut where curves have no room, as long as fewer curves are given up
-// then. Returns none if there are no paths.
+// across curves that have too few edges. Then sheets across contested edges are cut, as long as fewer arcs are given up with them.
+// Returns null if there are no paths.
 inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_complex_3& complex, const Hexahedra_3& start,
                                                                 const double edge, const Budget& budget,
                                                                 const std::set<std::size_t>& curves_given_up = {})
@@ -216,7 +217,7 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
   std::unique_ptr<Embedded_features_3> result;
   Hexahedra_3 mesh = with_room_for_corners_3(complex, start, edge);
   std::size_t most = static_cast<std::size_t>(largest_growth * static_cast<double>(mesh.cells.size()));
-  for(bool is_for_room = false; ; )
+  for(bool is_for_room = false; ; ) // are the last cuts across contested edges?
   {
     auto next = std::make_unique<Embedded_features_3>(complex, std::move(mesh), edge);
     if(!next->embedding.run(budget, curves_given_up)
@@ -237,8 +238,8 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
   }
 }
 
-// Returns a curve near each hexahedron that is inverted or not usable: of those within an edge that are not given up, the shortest
-// one, which has least room.
+// Returns a curve near each hexahedron that is inverted or not usable: of the curves with a path within an edge of the center, the
+// one with the shortest arc, which has least room.
 inline std::set<std::size_t> curves_without_room_3(const Body_complex_3& complex, const Feature_embedding_3& embedding,
                                                    const Hexahedra_3& mesh, const double edge)
 {
@@ -258,7 +259,7 @@ inline std::set<std::size_t> curves_without_room_3(const Body_complex_3& complex
   return result;
 }
 
-// Returns hexahedra with features at their places, and with their vertices inside on interfaces where these have been.
+// Returns hexahedra with their boundary as it is, and vertices inside moved onto the interfaces that they are at.
 inline Placed_hexahedra_3 on_interfaces_3(Placed_hexahedra_3 hexahedra, Body_interfaces_3& interfaces)
 {
   std::vector<Interface_quadrangle_3> quadrangles = interface_quadrangles_3(hexahedra.mesh);
@@ -275,8 +276,8 @@ inline Placed_hexahedra_3 on_interfaces_3(Placed_hexahedra_3 hexahedra, Body_int
 }
 
 // Returns hexahedra with features of the body, with other sheets where a quadrangle would be flat, and new positions, on
-// interfaces unless these are staircases. Returns none if there are no paths. Vertices leave their curves only if hexahedra
-// would not be usable otherwise. As long as they are not, all layers stay, and then curves near bad hexahedra are given up.
+// interfaces unless these are staircases. Returns no hexahedra if there are no paths. If hexahedra are not usable, vertices may
+// leave their curves. If this does not help, all layers stay, and after that, curves near bad hexahedra are given up.
 inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std::unique_ptr<Embedded_features_3> features,
                                              Body_interfaces_3& interfaces, const Best_hexahedra_3& start, Linear_solver_3& solver,
                                              const bool is_parallel, const Budget& budget)
@@ -311,7 +312,7 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std:
   return result;
 }
 
-// Complex of a body, with paths for its arcs in hexahedra; there may be none.
+// Complex of a body, with hexahedra that have paths for its arcs; null if there are none.
 struct Complex_with_paths_3
 {
   std::unique_ptr<Body_complex_3> complex;
@@ -351,8 +352,8 @@ inline bool may_replace(const Best_hexahedra_3& others, const Hexahedral_mesh_re
     && with_features.boundary_distance <= (std::max)(largest_distance * others.edge, others.result.boundary_distance);
 }
 
-// Returns hexahedra with more features of the body than others have, with no marked corner less, and with interfaces not farther
-// from them beyond a tolerance; none if these may not replace the others.
+// Returns hexahedra that keep more features of the body than others, no fewer marked corners, and interfaces, up to a tolerance,
+// as well. Returns nothing if there are no such hexahedra, or if they may not replace the others.
 inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra_problem_3& problem,
                                                                  const Body_with_domain_3& body, Body_interfaces_3& interfaces,
                                                                  const Best_hexahedra_3& others, const Budget& budget)

@@ -81,6 +81,8 @@ struct Covered_surface_3
   }
 };
 
+constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // of covered surfaces; guesses
+
 // Hexahedra, the positions of their vertices, and the surfaces that they cover: first the boundary, then patches of interfaces.
 struct Placed_hexahedra_3
 {
@@ -187,7 +189,6 @@ private:
 inline Placed_hexahedra_3 placed_hexahedra_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrangle_3>& quadrangles,
                                              Body_interfaces_3& interfaces)
 {
-  constexpr double tolerance_of_boundary = 0.2, tolerance_of_interface = 0.05; // guesses
   Placed_hexahedra_3 result = { mesh, Search_for_positions_3(mesh, quadrangles, interfaces).run(),
                                 { { &interfaces.boundary(), {}, tolerance_of_boundary } } };
   for(std::size_t v = 0; v < mesh.points.size(); ++v)
