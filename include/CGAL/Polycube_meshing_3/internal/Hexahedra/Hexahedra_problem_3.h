@@ -14,7 +14,6 @@
 
 #include <CGAL/Polycube_meshing_3/Hexahedral_mesh_result.h>
 #include <CGAL/Polycube_meshing_3/Hexahedron_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Newton/System/Linear_solver_3.h>
 

@@ -15,7 +15,6 @@
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Hexahedra_problem_3.h>
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Budget.h>
-#include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
 namespace CGAL::Polycube_meshing_3::internal {
 

@@ -14,14 +14,12 @@
 
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Hexahedra_3.h>
 #include <CGAL/Polycube_meshing_3/internal/Hexahedra/Domain/Mapped_soup_3.h>
-#include <CGAL/Volume_mesh_parameterization/Volume_map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/AABB_trees_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/sharp_edges_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/exact_point_3.h>
 
 #include <CGAL/Bbox_3.h>
 
-#include <map>
 #include <set>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -54,7 +52,7 @@ public:
 
   // Takes any facets, and edges as lines. Such a surface has neither marked corners nor ends of lines, nor edges_of_lines().
   Body_surface_3(const std::vector<Vector_3>& points, std::vector<std::array<std::size_t, 3> > facets,
-                 const std::vector<std::array<std::size_t, 2> >& lines)
+                 const std::vector<std::array<std::size_t, 2> >& lines = {})
     : m_facets(std::move(facets))
   { build(points, lines); }
 
@@ -156,8 +154,6 @@ private:
         m_ends.push_back(points[v]);
   }
 
-  using Kernel = AABB_trees_3::Kernel;
-
   // Collects what nearest points and planes are found by, and sets the bounds of rounding. Takes the edges of the lines.
   void build(const std::vector<Vector_3>& points, const std::vector<std::array<std::size_t, 2> >& lines)
   {
@@ -184,7 +180,7 @@ private:
       m_rounding_of_planes = (std::max)(m_rounding_of_planes, 1e-13 * std::abs(x)); // a guess
   }
 
-  static Vector_3 normal(const Kernel::Triangle_3& triangle)
+  static Vector_3 normal(const AABB_trees_3::Kernel::Triangle_3& triangle)
   { return to_vector(triangle[1] - triangle[0]).cross(to_vector(triangle[2] - triangle[0])).stableNormalized(); }
 
   std::vector<std::array<std::size_t, 3> > m_facets;

@@ -89,7 +89,6 @@ inline void add_cell(const std::array<std::size_t, 8>& vertices, const std::size
   mesh.cell_references.push_back(reference);
 }
 
-// Adds a quadrangle of the boundary.
 inline void add_facet(const Quadrangle_of_hexahedron& quadrangle, const std::size_t polycube_face, Hexahedra_3& mesh)
 {
   mesh.facets.push_back(vertices_of(mesh, quadrangle));

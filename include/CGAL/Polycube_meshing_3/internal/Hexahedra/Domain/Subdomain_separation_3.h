@@ -140,7 +140,6 @@ private:
     return parts.size() == 1;
   }
 
-  // Returns the sum of the defects at the vertices of a hexahedron.
   int defects_around(const std::size_t cell)
   {
     int sum = 0;

@@ -72,7 +72,7 @@ public:
       contract_short_arcs(width_without_room);
       share_needles(width_without_room, length_of_needles * width_without_room);
     }
-    find_surfaces();
+    make_surfaces();
     m_subdomains.resize(m_surfaces.size());
     for(std::size_t f = 0; f < m_facets.size(); ++f)
       m_subdomains[m_patches[f]] = subdomains[f];
@@ -129,7 +129,6 @@ public:
 private:
   using Edge = std::array<std::size_t, 2>;
 
-  // Returns the subdomain of each facet of the boundary.
   std::vector<int> subdomains_of_facets(const Mapped_soup_3& soup) const
   {
     std::map<std::array<std::size_t, 3>, int> references;
@@ -202,17 +201,12 @@ private:
   void add_curve(const std::vector<std::size_t>& vertices, const int reference)
   {
     const std::size_t n = vertices.size() - 1, number_of_arcs = vertices.front() == vertices.back() && n >= 3 ? 3 : 1;
-    std::vector<Vector_3> points;
-    for(const std::size_t v : vertices)
-      points.push_back(m_points[v]);
-    const Polyline_3 line(points);
-    double length = 0;
+    const Polyline_3 line = line_through(vertices);
     Arc_3 arc = { m_number_of_curves, reference, { vertices[0] }, {} };
     for(std::size_t i = 1, part = 1; i <= n; ++i)
     {
       arc.vertices.push_back(vertices[i]);
-      length += (points[i] - points[i - 1]).norm();
-      if(i < n && (part == number_of_arcs || (3 * length < static_cast<double>(part) * line.length()
+      if(i < n && (part == number_of_arcs || (3 * line.lengths()[i] < static_cast<double>(part) * line.length()
                                               && n - i > number_of_arcs - part)))
         continue;
       arc.patches = { patch_on_left(arc.vertices[0], arc.vertices[1]), patch_on_left(arc.vertices[1], arc.vertices[0]) };
@@ -410,13 +404,11 @@ private:
     return result;
   }
 
-  // Makes the surface of each patch.
-  void find_surfaces()
+  void make_surfaces()
   {
     const std::size_t n = m_patches.empty() ? 0 : 1 + *std::max_element(m_patches.begin(), m_patches.end());
     for(std::size_t patch = 0; patch < n; ++patch)
-      m_surfaces.push_back(
-        std::make_unique<Body_surface_3>(m_points, facets_of({ patch }), std::vector<std::array<std::size_t, 2> >()));
+      m_surfaces.push_back(std::make_unique<Body_surface_3>(m_points, facets_of({ patch })));
   }
 
   std::vector<Vector_3> m_points;

@@ -38,7 +38,6 @@ public:
     make_result();
   }
 
-  // Returns the hexahedra that are left.
   const Hexahedra_3& result() const { return m_result; }
 
   // Returns the old quadrangle of each new one. At the end of a layer, it is the one on the other side of the curve.

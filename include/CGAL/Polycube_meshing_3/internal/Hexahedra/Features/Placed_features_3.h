@@ -162,7 +162,6 @@ private:
                        [](const auto& curve) { return curve.second.size() > 2; }); // those of two opposite edges
   }
 
-  // Returns the regions with a cramped quadrangle.
   std::set<std::size_t> cramped_regions() const
   {
     std::set<std::size_t> result;
@@ -244,8 +243,7 @@ private:
   void make_surfaces()
   {
     for(const std::set<std::size_t>& patches : m_embedding.patches())
-      m_surfaces.push_back(std::make_unique<Body_surface_3>(m_complex.points(), m_complex.facets_of(patches),
-                                                            std::vector<std::array<std::size_t, 2> >()));
+      m_surfaces.push_back(std::make_unique<Body_surface_3>(m_complex.points(), m_complex.facets_of(patches)));
     for(const Arc_3& arc : m_complex.arcs())
     {
       std::vector<std::array<std::size_t, 2> > edges;
@@ -321,8 +319,7 @@ private:
   }
 
   // Makes the lengths between the indices first and last increase by a least distance each. Blends them with equal distances, and
-  // lowers the k-th one by k least distances. Then pools adjacent violators (isotonic regression), and adds the least distances
-  // again.
+  // lowers the k-th one by k least distances. Pools adjacent violators (isotonic regression), and adds these distances again.
   static void spread(const std::size_t first, const std::size_t last, std::vector<double>& lengths)
   {
     constexpr double part_of_equal_distances = 0.25, least_distance = 0.45; // guesses; the latter relative to the mean

@@ -371,7 +371,7 @@ inline std::optional<Best_hexahedra_3> hexahedra_with_features_3(const Hexahedra
      || interface_distance_3(result.mesh, interfaces).distance
           > (std::max)(tolerance_of_interfaces * others.edge, interface_distance_3(others.mesh, interfaces).distance))
     return std::nullopt;
-  const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells), std::vector<std::array<std::size_t, 2> >());
+  const Body_surface_3 domain(body.images, boundary_facets_3(body.soup.cells));
   result.mesh.images.resize(result.mesh.points.size());
   for(std::size_t v = 0; v < result.mesh.points.size(); ++v)
     if(const auto image = body.map.nearest_image(exact_point(result.mesh.points[v])))

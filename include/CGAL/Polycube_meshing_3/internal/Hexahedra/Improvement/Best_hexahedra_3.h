@@ -30,7 +30,7 @@ constexpr double sufficient_scaled_jacobian = 0.5, poor_scaled_jacobian = 0.2, f
 // error. Both are guesses.
 constexpr double sufficient_distance = 0.4, largest_distance = 0.5;
 
-// Returns the result for a mesh.
+// Returns the result for a mesh: numbers, validity and scaled Jacobians, but no distances. Its message names an inverted place.
 inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const bool has_padding)
 {
   Hexahedral_mesh_result result;
@@ -40,12 +40,12 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
 
-  std::string where;
-  const auto name = [&](const std::size_t v)
+  std::string first_place;
+  const auto name_first_place = [&](const std::size_t v)
   {
-    if(where.empty())
-      where = sentence(" The first one has a vertex at ", describe(mesh.points[v]),
-                       is_outer[v] ? ", on the boundary." : ", inside.");
+    if(first_place.empty())
+      first_place = sentence(" The first one has a vertex at ", describe(mesh.points[v]),
+                             is_outer[v] ? ", on the boundary." : ", inside.");
   };
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
@@ -57,9 +57,9 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
       if(is_positive_corner(mesh.points, corner))
         return;
       ++result.number_of_inverted_corners;
-      name(corner[0]);
+      name_first_place(corner[0]);
     });
-    name(mesh.cells[c][0]); // if all corners are positive
+    name_first_place(mesh.cells[c][0]); // if all corners are positive
   }
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
@@ -67,18 +67,18 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
     = std::accumulate(quality.begin(), quality.end(), 0.) / static_cast<double>(quality.size());
   result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
   result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
-  result.message = get_error_message(result.status) + where;
+  result.message = get_error_message(result.status) + first_place;
   return result;
 }
 
-// Returns what is inverted in a mesh: corners count first.
+// Returns the numbers of inverted corners and of inverted hexahedra, which are compared in this order.
 inline std::pair<std::size_t, std::size_t> inverted(const Hexahedral_mesh_result& result)
 { return { result.number_of_inverted_corners, result.number_of_inverted_hexahedra }; }
 
-// Returns whether a mesh is better than another one, by the first of these that differ: fewer inverted corners, fewer inverted
-// hexahedra, a larger least scaled Jacobian if this is not usable, boundaries that are not too far from each other, or at most an
-// edge, a larger least scaled Jacobian if this is bad, and the sum of the least scaled Jacobian, up to the sufficient one, and the
-// mean, from which distances of boundaries, in edges, are taken.
+// Returns whether mesh a is better than b, by the first of these that differ: fewer inverted corners, fewer inverted hexahedra, a
+// larger least scaled Jacobian if this is not usable, boundaries that are not too far from each other, or at most an edge, a
+// larger least scaled Jacobian if this is bad, and the sum of the least scaled Jacobian, up to the sufficient one, and the mean,
+// less a price of the distance between boundaries. Takes the length of edges without distortion.
 inline bool is_better(const Hexahedral_mesh_result& a, const Hexahedral_mesh_result& b, const double edge)
 {
   constexpr double price = 0.3; // a guess; of boundaries that are farther by an edge
@@ -107,8 +107,9 @@ struct Best_hexahedra_3
   Hexahedral_mesh_result result;
   Hexahedra_3 mesh;
   Staircases staircases = Staircases::NONE;
-  bool has_features = false; // Was it fitted to features of the body?
+  bool has_features = false; // have hexahedra been fitted to features of the body?
 
+  // Replaces the mesh by the next one if this is the first or a better one.
   void take(const Hexahedral_mesh_result& of_next, const Hexahedra_3& next)
   {
     if(mesh.cells.empty() || is_better(of_next, result, edge))

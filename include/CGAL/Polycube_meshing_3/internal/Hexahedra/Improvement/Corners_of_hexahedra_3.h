@@ -35,10 +35,13 @@ struct Corner_goals_3
   std::vector<Vector_3> edges;      // of each corner: the lengths of its edges where it has right angles
   double mean_edge = 1;
   std::vector<Linear_constraint_3<int> > constraints; // where vertices are wanted, by their numbers
-  double weight = 0;                       // of constraints: how many corners a residual of one edge costs as much as
+  double weight = 0;                       // of constraints: a residual of one edge costs as much as so many corners
   int exponent = 1;                        // of the energy: the larger, the more the worst corners count
   std::size_t number_of_steps = 1;         // with positive corners
 };
+
+// Lengths that edges of a corner should have: their own ones, or the mean ones of the hexahedron along its axes.
+enum class Goals_of_edges { OWN_LENGTHS, MEAN_LENGTHS };
 
 // Corners of hexahedra as cells that overlap, with the order of vertices and corners that Newton's method has.
 class Corners_of_hexahedra_3
@@ -66,11 +69,11 @@ public:
   const std::vector<std::size_t>& order() const { return m_order; } // of vertices
   const std::vector<Corner>& corners() const { return m_corners; }
 
-  // Sets the mean edge, and the goals for edges, none of which is below a part of the mean edge. Goals are the own lengths at each
-  // corner if `are_own`, so that angles alone count, as they do for scaled Jacobians. Otherwise, they are the mean lengths of each
-  // hexahedron along its axes.
-  void set_edges(const std::vector<Vector_3>& points, const bool are_own, Corner_goals_3& goals) const
+  // Sets the mean edge, and the goals for edges, none of which is below a part of the mean edge. With own lengths, angles alone
+  // count, as they do for scaled Jacobians.
+  void set_edges(const std::vector<Vector_3>& points, const Goals_of_edges which, Corner_goals_3& goals) const
   {
+    const bool are_own = which == Goals_of_edges::OWN_LENGTHS;
     const double shortest = are_own ? 0.05 : 0.5; // guesses; relative to the mean edge
     std::vector<Vector_3> mean_lengths(m_corners.size() / 8, Vector_3::Zero()); // of hexahedra
     const auto own_length = [&](const std::size_t corner, const int i)
@@ -92,8 +95,8 @@ public:
         goals.edges[c][i] = (std::max)(are_own ? own_length(c, i) : mean_length(c, i), shortest * goals.mean_edge);
   }
 
-  // Moves the vertices of hexahedra: untangles corners, and if none is inverted then, brings them nearer to corners of boxes, all
-  // alike or (with an exponent) the worst ones first. An exhausted budget ends the search at the next step.
+  // Returns better points: untangles corners, and if none is inverted then, brings them nearer to corners of boxes, all alike or
+  // (with an exponent) the worst ones first. An exhausted budget ends the search at the next step.
   std::vector<Vector_3> improved(std::vector<Vector_3> points, const Corner_goals_3& goals, Linear_solver_3& solver,
                                  const Budget& budget)
   {

@@ -27,7 +27,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 
 using Edge_of_triangle_3 = std::array<std::size_t, 2>;
 
-// Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter.
+// Calls `f` with each point, the nearest point of the triangles, and the triangle of the latter. Takes positions of vertices.
 template <typename Function>
 void for_each_nearest(const std::vector<Vector_3>& points, const std::vector<Triangle_3>& triangles,
                       const std::vector<Vector_3>& positions, const Function& f)
@@ -77,6 +77,7 @@ struct Largest_distance_3
   double distance = 0;
   Vector_3 point;
 
+  // Replaces the distance by that between p, the place, and q if this is larger.
   void take(const Vector_3& p, const Vector_3& q)
   {
     if((p - q).norm() > distance)
@@ -91,13 +92,10 @@ struct Largest_distance_3
 inline Largest_distance_3 distance_of_cover_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions)
 {
   Largest_distance_3 result;
-  std::vector<std::size_t> vertices;
-  for(const Triangle_3& triangle : covered.triangles)
-    vertices.insert(vertices.end(), triangle.begin(), triangle.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  for(const std::size_t v : vertices)
-    result.take(positions[v], covered.surface->nearest(positions[v], Freedom_3::SURFACE));
+  const std::vector<bool> is_vertex = used_points(covered.triangles, positions.size());
+  for(std::size_t v = 0; v < positions.size(); ++v)
+    if(is_vertex[v])
+      result.take(positions[v], covered.surface->nearest(positions[v], Freedom_3::SURFACE));
   for_each_nearest(covered.surface->vertices(), covered.triangles, positions,
                    [&](const Vector_3& p, const Vector_3& q, const Triangle_3&) { result.take(p, q); });
   for_each_middle(covered, positions, [&](const Edge_of_triangle_3&, const Middle_3& middle, const Triangle_3&)
@@ -114,8 +112,8 @@ inline Largest_distance_3 boundary_distance_3(const Body_surface_3& surface, con
   return distance_of_cover_3(covered, mesh.points);
 }
 
-// Measures the distances of the vertices, the middles of edges and the centers of quadrangles from the interface of their
-// subdomains, and those of the vertices of interfaces from the quadrangles.
+// Returns the largest distance between interfaces and their quadrangles: that of vertices, middles of edges and centers of
+// quadrangles from the interface of their subdomains, and of vertices of interfaces from the quadrangles.
 inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_interfaces_3& interfaces)
 {
   Largest_distance_3 result;
@@ -140,7 +138,8 @@ inline Largest_distance_3 interface_distance_3(const Hexahedra_3& mesh, Body_int
   return result;
 }
 
-// Part of covers at a vertex: triangles, the points of surfaces nearest to them, and edges whose middles are far from a surface.
+// Part of covers at a vertex: triangles, the vertices of surfaces to which one of these is nearest, and edges of triangles, with
+// their surface, whose middles are far from it.
 struct Cover_of_vertex_3
 {
   std::vector<Triangle_3> triangles;
@@ -148,7 +147,7 @@ struct Cover_of_vertex_3
   std::vector<std::pair<const Body_surface_3*, Edge_of_triangle_3> > far_edges;
 };
 
-// Adds what covers a surface to the vertices; edges are far away beyond a tolerance.
+// Adds what covers a surface to the covers of its vertices; edges are far away beyond a tolerance.
 inline void add_covers_3(const Covered_surface_3& covered, const std::vector<Vector_3>& positions, const double tolerance,
                          std::vector<Cover_of_vertex_3>& covers)
 {

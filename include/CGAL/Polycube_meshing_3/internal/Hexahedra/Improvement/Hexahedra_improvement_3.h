@@ -20,8 +20,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Improves hexahedra, and gives the best ones that it meets to others. Vertices of corners that stay inverted or below a bound
-// leave their lines, and those of inverted ones their interfaces; without a bound, none does.
+// Improves hexahedra, and keeps the best ones. Vertices of corners that stay inverted or below a bound leave their lines, and
+// those of inverted corners their interfaces; without a bound, none does.
 class Hexahedra_improvement_3
 {
 public:
@@ -30,7 +30,7 @@ public:
     : m_hexahedra(hexahedra), m_has_padding(has_padding), m_bound_of_lines(bound_of_lines), m_budget(budget), m_best(best)
   {}
 
-  // Improves corners as soon as few are inverted.
+  // Makes all improvements on the surface, without an end of the first ones for a small gain.
   void run()
   {
     evaluate();
@@ -55,7 +55,7 @@ public:
     return true;
   }
 
-  // Improves corners and the distance from the boundary.
+  // Improves the worst corners if few are inverted, and the distance from the boundary.
   void polish()
   {
     if(has_few_inverted_corners())
@@ -82,6 +82,7 @@ private:
     return std::abs(m_result.minimum_scaled_jacobian) <= nearly_flat;
   }
 
+  // Measures the hexahedra as they are, and keeps them if they are the best ones.
   void evaluate()
   {
     m_result = evaluated_hexahedra(m_hexahedra.mesh(), m_has_padding);
@@ -89,7 +90,7 @@ private:
     m_best.take(m_result, m_hexahedra.mesh());
   }
 
-  // While corners are inverted, uncovered points count little.
+  // Moves vertices one after the other. While corners are inverted, uncovered points count little.
   void smooth(const double price_of_uncovered)
   {
     constexpr double gain = 0.2; // a guess; with a target far above the worst corners, others would count as much

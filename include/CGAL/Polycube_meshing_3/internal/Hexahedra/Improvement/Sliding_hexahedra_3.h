@@ -25,29 +25,29 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Pulls a point of a triangle to a far point on the body's surface, along the way between both only, so that the triangle
-// may slide across the way (as in the registration of surfaces by Chen and Medioni, Object modelling by registration of
-// multiple range images, 1992).
-inline void pull_point_3(const Vector_3& q, const Triangle_3& triangle, const Vector_3& p,
+// Adds a goal that pulls a point of a triangle to a target on the surface if both are farther apart than the tolerance, in mean
+// edges. The pull is along the way between both only, so that the triangle may slide across the way (as in the registration of
+// surfaces by Chen and Medioni, Object modelling by registration of multiple range images, 1992).
+inline void pull_point_3(const Vector_3& point, const Triangle_3& triangle, const Vector_3& target,
                          const std::vector<Vector_3>& positions, const double tolerance, const double weight,
                          Corner_goals_3& goals)
 {
   constexpr double longest_pull = 1;             // a guess; relative to the mean edge
   const double factor = std::sqrt(200 * weight); // a guess; scales the residual
-  const double distance = (p - q).norm();
+  const double distance = (target - point).norm();
   if(distance < tolerance * goals.mean_edge)
     return;
   const int a = static_cast<int>(triangle[0]), b = static_cast<int>(triangle[1]), c = static_cast<int>(triangle[2]);
-  const Vector_3 u = positions[b] - positions[a], v = positions[c] - positions[a], w = q - positions[a];
+  const Vector_3 u = positions[b] - positions[a], v = positions[c] - positions[a], w = point - positions[a];
   const double uu = u.dot(u), uv = u.dot(v), vv = v.dot(v), determinant = uu * vv - uv * uv;
   if(!(determinant > 0))
     return;
   const double inverse = 1 / determinant;
   const double s = vv * inverse * u.dot(w) - uv * inverse * v.dot(w);
   const double t = uu * inverse * v.dot(w) - uv * inverse * u.dot(w);
-  const Vector_3 way = factor * (p - q) / distance;
+  const Vector_3 way = factor * (target - point) / distance;
   goals.constraints.push_back({ { { a, (1 - (s + t)) * way }, { b, s * way }, { c, t * way } },
-                                way.dot(q) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
+                                way.dot(point) + factor * (std::min)(distance, longest_pull * goals.mean_edge) });
 }
 
 // Pulls triangles to the vertices of the surface, more with a larger weight.
@@ -71,6 +71,7 @@ inline void pull_middles_3(const Covered_surface_3& covered, const std::vector<V
 // Corners that vertices move for: all alike, the poor ones first, or the worst ones, whose edges may have any lengths.
 enum class Corners_to_improve { ALL, POOR, WORST_ANGLES };
 
+// Returns the exponent of the energy, by which the worst corners count more.
 inline int exponent_for(const Corners_to_improve which)
 { return which == Corners_to_improve::ALL ? 1 : which == Corners_to_improve::POOR ? 2 : 4; } // guesses
 
@@ -103,7 +104,7 @@ public:
       const bool stays = !do_slide && m_positions[v].freedom != Freedom_3::SPACE;
       goals.conditions.push_back(stays ? Vertex_condition_3::at_target() : m_positions[v].condition());
     }
-    m_corners.set_edges(m_mesh.points, are_for_angles, goals);
+    m_corners.set_edges(m_mesh.points, are_for_angles ? Goals_of_edges::OWN_LENGTHS : Goals_of_edges::MEAN_LENGTHS, goals);
     const bool is_valid = are_positive(m_mesh.points);
     if(do_slide)
     {
@@ -131,11 +132,11 @@ public:
         weight <= last_weight && m_budget.may_begin_round(Phase::HEXAHEDRA, "return to the surface"); weight *= growth)
     {
       Corner_goals_3 goals = { Conditions_3(m_positions.size()), {}, 1, {}, pull, 1, number_of_steps };
-      m_corners.set_edges(m_mesh.points, false, goals);
+      m_corners.set_edges(m_mesh.points, Goals_of_edges::MEAN_LENGTHS, goals);
       hold_boundary(m_first_points, 1, goals);
       for(const Covered_surface_3& covered : m_covered)
         pull_to_vertices_3(covered, m_mesh.points, 1, goals);
-      return_to_surface(std::sqrt(weight / pull), goals);
+      pull_to_surface(std::sqrt(weight / pull), goals);
       m_mesh.points = m_corners.improved(m_mesh.points, goals, m_solver, m_budget);
       const std::ptrdiff_t before = std::exchange(inverted, number_of_inverted_corners(m_mesh.points));
       if(inverted > 0 && inverted >= before)
@@ -147,7 +148,7 @@ public:
   }
 
   // Moves the vertices of corners whose scaled Jacobian is below the target, and those near far points of the surfaces, one after
-  // the other. Uncovered points have a price.
+  // the other. The price of uncovered points is that of smooth_hexahedra_3().
   void smooth(const double target, const double price_of_uncovered)
   { smooth_hexahedra_3(m_corners, m_positions, m_covered, target, price_of_uncovered, m_budget, m_mesh); }
 
@@ -187,6 +188,7 @@ private:
 
   const Body_surface_3& boundary() const { return *m_covered.front().surface; }
 
+  // Returns for each vertex whether it never moves.
   std::vector<bool> are_fixed() const
   {
     std::vector<bool> result;
@@ -203,12 +205,12 @@ private:
 
   bool has_positive_corners(const std::array<std::size_t, 8>& hexahedron) const
   {
-    bool result = true;
-    for_each_corner(hexahedron, [&](const std::array<std::size_t, 4>& corner)
-                    { result = result && is_positive_corner(m_mesh.points, corner); });
-    return result;
+    bool are_all = true;
+    for_each_corner(hexahedron, [&](const auto& corner) { are_all = are_all && is_positive_corner(m_mesh.points, corner); });
+    return are_all;
   }
 
+  // Returns whether all corners are positive.
   bool are_positive(const std::vector<Vector_3>& points) const { return number_of_inverted_corners(points) == 0; }
 
   // Pulls sliding vertices to the given points. Vertices on lines are pulled to where they were at first, and by the given factor
@@ -231,7 +233,7 @@ private:
   { return m_positions[v].nearest(m_positions[v].freedom == Freedom_3::NONE ? m_first_points[v] : m_mesh.points[v]); }
 
   // Pulls vertices to the nearest points where they may be, mostly in the directions in which they may not move there.
-  void return_to_surface(const double factor, Corner_goals_3& goals) const
+  void pull_to_surface(const double factor, Corner_goals_3& goals) const
   {
     constexpr double part_along = 0.1; // a guess; how much less a vertex is held in the directions in which it may move
     for(const std::size_t v : m_corners.order())
@@ -247,9 +249,9 @@ private:
     }
   }
 
-  // Takes positions, put back onto the boundary. If a hexahedron would be inverted, or a corner so flat that the next steps would
-  // serve it alone, its vertices take a part of their way only, and in the end none. While corners are inverted anyway, the next
-  // steps are left to mend them.
+  // Moves vertices to new points, put back onto the surface. If a hexahedron would be inverted, or a corner so flat that the next
+  // steps would serve it alone, its vertices go a part of their way only, and in the end stay. If not all corners were positive
+  // before (`was_valid`), the next steps are left to mend corners that the move or a few attempts leave inverted.
   void put_back(const std::vector<Vector_3>& moved, const bool was_valid, const double mean_edge)
   {
     constexpr int number_of_attempts = 5; // a guess

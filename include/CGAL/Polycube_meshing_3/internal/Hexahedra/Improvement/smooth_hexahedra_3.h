@@ -25,9 +25,9 @@ namespace CGAL::Polycube_meshing_3::internal {
 using Corners_of_vertex = std::vector<std::array<std::size_t, 4> >;    // corners that have the vertex
 using Hexahedra_of_vertex = std::vector<std::array<std::size_t, 8> >; // hexahedra that have the vertex and are watched all over
 
-constexpr double shortest_edge = 0.01; // that counts as one, relative to the mean edge; a guess
+constexpr double shortest_edge = 0.01; // whose direction counts fully, relative to the mean edge; a guess
 
-// Returns the sum of the squares by which scaled Jacobians are below the target, or a part of the sum that reaches the bound.
+// Returns the sum of squares of what scaled Jacobians lack to the target, or, if the sum reaches the bound, a part of the sum.
 inline double shortage(const std::vector<Vector_3>& positions, const Corners_of_vertex& corners, const double mean_edge,
                        const double target, const double bound = (std::numeric_limits<double>::infinity)())
 {
@@ -37,8 +37,8 @@ inline double shortage(const std::vector<Vector_3>& positions, const Corners_of_
   return sum;
 }
 
-// Returns the sum of the squares by which coefficients of the Jacobian determinants of hexahedra, by the mean lengths of their
-// edges along the axes, are below the bound of flat ones: if all are positive, the determinants are.
+// Returns the sum of squares of what coefficients of Jacobian determinants lack to the bound of flat corners. Each coefficient is
+// divided by the mean lengths of edges along the three axes. If all coefficients are positive, the determinants are, too.
 inline double shortage_inside(const std::vector<Vector_3>& positions, const Hexahedra_of_vertex& hexahedra)
 {
   double sum = 0;
@@ -64,7 +64,7 @@ inline double least_scaled_jacobian(const std::vector<Vector_3>& positions, cons
   return least;
 }
 
-// Returns for each vertex the hexahedra around it, as far as they have a vertex of one that is not positive.
+// Returns for each vertex its hexahedra that are not positive, or share a vertex with one that is not.
 inline std::vector<Hexahedra_of_vertex> watched_hexahedra_3(const std::vector<Vector_3>& positions,
                                                             const std::vector<std::array<std::size_t, 8> >& hexahedra)
 {
@@ -81,7 +81,7 @@ inline std::vector<Hexahedra_of_vertex> watched_hexahedra_3(const std::vector<Ve
   return result;
 }
 
-// Returns the mean length of edges, those of a vertex or of all: an edge counts once for each of the corners that have it.
+// Returns the mean length of the edges of corners. An edge counts once for each of these corners that has it.
 inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const Corners_of_vertex& corners)
 {
   double sum = 0;
@@ -93,8 +93,8 @@ inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const
   return sum / (3. * static_cast<double>(corners.size()));
 }
 
-// Costs of the positions of vertices: what is missing at their corners to a goal, and the rest, which is what is missing inside of
-// hexahedra, and uncovered points of the surfaces.
+// Costs of the positions of vertices: the shortage at their corners to a goal, and the rest, which is the shortage inside of
+// hexahedra and the price of uncovered points of the surfaces. Refers to the points of the mesh, and follows their moves.
 class Costs_of_positions_3
 {
 public:
@@ -141,7 +141,8 @@ private:
   const double m_edge, m_price;
 };
 
-// Moves a vertex of a cost to the cheapest one of its 26 neighbors in a grid, where it may be. Returns whether one is cheaper.
+// Moves a vertex, which costs `cost` where it is, to the cheapest of 26 points of a grid around it, put where the vertex may be.
+// Returns whether one of these points is cheaper; otherwise, the vertex stays.
 inline bool move_to_cheapest_neighbor_3(const std::size_t v, const Position_3& position, const double step, const double goal,
                                         double cost, const Costs_of_positions_3& costs, std::vector<Vector_3>& points)
 {
@@ -188,7 +189,7 @@ inline void smooth_hexahedra_3(const Corners_of_hexahedra_3& corners, const std:
       is_settled[v] = of_corners == 0 && of_rest == 0;
       if(is_settled[v])
         continue;
-      if(of_corners == 0)
+      if(of_corners == 0) // only the rest can become cheaper
       {
         goal = (std::max)(target, (std::min)(sufficient_scaled_jacobian, least_scaled_jacobian(points, costs.corners(v))));
         of_corners = costs.of_corners(v, goal);

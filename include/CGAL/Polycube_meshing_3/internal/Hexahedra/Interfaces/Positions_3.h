@@ -111,7 +111,6 @@ public:
         }
   }
 
-  // Returns the position of each vertex.
   std::vector<Position_3> run()
   {
     std::vector<Position_3> result;
