@@ -105,7 +105,7 @@ public:
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
 
-  // Returns how far a quadrangle is from a patch, by distance and direction.
+  // Returns how far a quadrangle is from a patch: the distance in edges, up to a bound, and the weighted angle between normals.
   double deviation(const std::size_t f, const std::size_t patch)
   {
     constexpr double largest = 3, weight_of_normal = 0.7; // guesses

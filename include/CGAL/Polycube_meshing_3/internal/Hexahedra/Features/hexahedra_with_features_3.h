@@ -217,7 +217,7 @@ inline std::unique_ptr<Embedded_features_3> embedded_features_3(const Body_compl
   std::unique_ptr<Embedded_features_3> result;
   Hexahedra_3 mesh = with_room_for_corners_3(complex, start, edge);
   std::size_t most = static_cast<std::size_t>(largest_growth * static_cast<double>(mesh.cells.size()));
-  for(bool is_for_room = false; ; ) // are the last cuts across contested edges?
+  for(bool is_for_room = false; ; ) // whether the last cuts are across contested edges
   {
     auto next = std::make_unique<Embedded_features_3>(complex, std::move(mesh), edge);
     if(!next->embedding.run(budget, curves_given_up)

@@ -64,11 +64,11 @@ public:
   }
 
 private:
-  static constexpr int number_of_rounds = 10, patience = 3;      // guesses
-  static constexpr std::size_t first_steps = 10, steps = 3;      // guesses
+  static constexpr int number_of_rounds = 10, patience = 3; // guesses; the latter in rounds without a gain
+  static constexpr std::size_t first_steps = 10, steps = 3; // guesses; of Newton's method in the first round and in others
   static constexpr double usual_price = 0.03, smallest_price = 0.0003; // guesses; of uncovered points
 
-  // Returns whether few corners are inverted: with more, not the worst corners or lines are to blame, but the map.
+  // Returns whether few corners are inverted. If more are, this is due to the map, not to the worst corners or lines.
   bool has_few_inverted_corners() const
   {
     constexpr std::size_t corners_per_inverted_corner = 100; // a guess
