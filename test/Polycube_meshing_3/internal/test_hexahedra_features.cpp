@@ -290,6 +290,24 @@ TEST_CASE("Hexahedra keep features of a body with sharp edges, although these ma
   CHECK(result.features.number_of_patches_kept == 5);
 }
 
+// A diagonal of the top makes an angle of 18 degrees with a side. Two hexahedra would have 9 degrees each there.
+TEST_CASE("One hexahedron has the small angle of a patch at a corner")
+{
+  const bool begins_at_corner = GENERATE(true, false); // or on a side?
+  Body body(4, 0, [](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1], p[2] }; });
+  Complex_with_diagonal::marked(body, 4, Vector3d(begins_at_corner ? 0 : 1, 0, 4));
+  body.soup.edge_references.assign(body.soup.edges.size(), 1);
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1.3, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  REQUIRE(result.status == VMP::OK);
+  check_boundary(mesh, body);
+  CHECK(result.features.number_of_corners_kept == (begins_at_corner ? 8 : 10));
+  CHECK(result.features.number_of_curves_kept == (begins_at_corner ? 13 : 15));
+  CHECK(result.features.number_of_patches_kept == 7);
+  CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
+}
+
 TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
 {
   Hexahedron_soup_3 soup;

@@ -36,6 +36,7 @@ public:
     const std::set<std::size_t> cramped = cramped_regions();
     if(may_remove_layers)
       remove_layers(cramped);
+    add_rings(cramped);
     add_sheets(cramped);
     collect_locations();
     make_surfaces();
@@ -190,15 +191,118 @@ private:
     find_arcs_of_edges();
   }
 
+  // Returns the tips of regions: quadrangles that alone fill a small angle between two paths at a corner, with the place of the
+  // corner among their vertices. A tip is free if it has no other corner, and no path at the vertex opposite to the corner.
+  std::map<std::size_t, std::size_t> tips(const std::set<std::size_t>& regions, const bool are_free) const
+  {
+    constexpr double largest_angle = 0.9; // a guess; in radians, 52 degrees
+    std::set<std::size_t> in_paths;
+    for(const std::vector<std::size_t>& path : m_paths)
+      in_paths.insert(path.begin(), path.end());
+    std::map<std::size_t, std::size_t> result;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      for(std::size_t i = 0; i < 4 && regions.count(m_regions[f]) > 0; ++i)
+      {
+        const std::array<std::size_t, 4>& q = m_mesh.facets[f];
+        const auto before = m_arc_of_edge.find(edge_of_quadrangle(q, i + 3)), after = m_arc_of_edge.find(edge_of_quadrangle(q, i));
+        const bool is_free = in_paths.count(q[(i + 2) % 4]) == 0
+                             && m_corners.count(q[(i + 1) % 4]) + m_corners.count(q[(i + 3) % 4]) == 0;
+        if(const auto corner = m_corners.find(q[i]);
+           is_free == are_free && corner != m_corners.end() && before != m_arc_of_edge.end() && after != m_arc_of_edge.end()
+           && angle(corner->second, before->second, after->second, m_regions[f]) < largest_angle)
+          result[f] = i;
+      }
+    return result;
+  }
+
+  // Puts a ring of hexahedra around the corner of each tip that is not free: the smaller tip is. A corner has no ring if its
+  // hexahedra are in another ring, or have a quadrangle of the boundary without the corner.
+  void add_rings(const std::set<std::size_t>& cramped)
+  {
+    std::map<std::size_t, std::vector<std::size_t> > cells_at; // of vertices at corners with a ring
+    for(const auto& [f, i] : tips(cramped, false))
+      cells_at[m_mesh.facets[f][i]];
+    for(std::size_t c = 0; c < m_mesh.cells.size(); ++c)
+      for(const std::size_t v : m_mesh.cells[c])
+        if(const auto found = cells_at.find(v); found != cells_at.end())
+          found->second.push_back(c);
+    std::set<Quadrangle_of_hexahedron> on_boundary;
+    for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
+      on_boundary.insert({ m_mesh.facet_cells[f], side_of_facet(m_mesh, f) });
+    std::vector<int> parts(m_mesh.cells.size(), 0);
+    std::vector<Quadrangle_of_hexahedron> covered;
+    for(auto it = cells_at.begin(); it != cells_at.end(); )
+    {
+      std::vector<Quadrangle_of_hexahedron> around;
+      for(const std::size_t c : it->second)
+        for(std::size_t side = 0; side < 6; ++side)
+          if(const auto q = vertices_of(m_mesh, { c, side }); std::find(q.begin(), q.end(), it->first) == q.end())
+            around.push_back({ c, side });
+      if(std::any_of(around.begin(), around.end(), [&](const auto& q) { return parts[q.cell] > 0 || on_boundary.count(q) > 0; }))
+      {
+        it = cells_at.erase(it);
+        continue;
+      }
+      for(const std::size_t c : it->second)
+        parts[c] = static_cast<int>(1 + it->first);
+      covered.insert(covered.end(), around.begin(), around.end());
+      ++it;
+    }
+    if(!covered.empty())
+      insert_rings(cells_at, covered, parts);
+  }
+
+  // Covers quadrangles around the hexahedra at corners, and leads paths through the rings.
+  void insert_rings(const std::map<std::size_t, std::vector<std::size_t> >& cells_at,
+                    const std::vector<Quadrangle_of_hexahedron>& covered, const std::vector<int>& parts)
+  {
+    const Hexahedra_3 before = std::exchange(m_mesh, Padding_3(m_mesh, covered, parts).result());
+    std::map<std::pair<std::size_t, Edge>, std::size_t> regions; // by hexahedra and edges of their quadrangles
+    for(std::size_t f = 0; f < before.facets.size(); ++f)
+      for(std::size_t i = 0; i < 4; ++i)
+        regions[{ before.facet_cells[f], edge_of_quadrangle(before.facets[f], i) }] = m_regions[f];
+    for(std::size_t f = before.facets.size(); f < m_mesh.facets.size(); ++f)
+    {
+      std::vector<std::size_t> outer;
+      for(const std::size_t v : m_mesh.facets[f])
+        if(v < before.points.size())
+          outer.push_back(v);
+      const std::size_t c = covered[m_mesh.facet_cells[f] - before.cells.size()].cell;
+      m_regions.push_back(regions.at({ c, sorted(Edge{ outer[0], outer[1] }) }));
+    }
+    const auto vertex_in_ring = [&](const std::size_t corner, const std::size_t v)
+    {
+      std::size_t result = v;
+      for(const std::size_t c : cells_at.at(corner))
+        for(std::size_t k = 0; k < 8; ++k)
+          if(before.cells[c][k] == v)
+            result = m_mesh.cells[c][k];
+      return result;
+    };
+    for(std::vector<std::size_t>& path : m_paths)
+    {
+      if(!path.empty() && cells_at.count(path.front()) > 0)
+        path.insert(path.begin() + 1, vertex_in_ring(path.front(), path[1]));
+      if(!path.empty() && cells_at.count(path.back()) > 0)
+        path.insert(path.end() - 1, vertex_in_ring(path.back(), path[path.size() - 2]));
+    }
+    find_arcs_of_edges();
+  }
+
   // Puts sheets of hexahedra around the layer under each region with a cramped quadrangle, so that no other quadrangle there has
-  // two edges on its curves.
+  // two edges on its curves. Tips stay outside, as a sheet would halve their angles.
   void add_sheets(const std::set<std::size_t>& cramped)
   {
+    const std::map<std::size_t, std::size_t> outside = tips(cramped, true);
+    std::set<Edge> edges_of_tips;
+    for(const auto& [f, i] : outside)
+      for(std::size_t k = 0; k < 4; ++k)
+        edges_of_tips.insert(edge_of_quadrangle(m_mesh.facets[f], k));
     std::vector<int> parts(m_mesh.cells.size(), 0);
     std::vector<Quadrangle_of_hexahedron> covered;
     for(std::size_t f = 0; f < m_mesh.facets.size(); ++f)
     {
-      if(cramped.count(m_regions[f]) == 0)
+      if(cramped.count(m_regions[f]) == 0 || outside.count(f) > 0)
         continue;
       const std::size_t c = m_mesh.facet_cells[f];
       parts[c] = static_cast<int>(1 + m_regions[f]);
@@ -209,7 +313,8 @@ private:
         for(const std::size_t v : vertices_of(m_mesh, { c, side }))
           if(std::find(top.begin(), top.end(), v) != top.end())
             common.push_back(v);
-        if(common.empty() || (common.size() == 2 && is_border(sorted(Edge{ common[0], common[1] }))))
+        const Edge edge = common.size() == 2 ? sorted(Edge{ common[0], common[1] }) : Edge();
+        if(common.empty() || (common.size() == 2 && (is_border(edge) || edges_of_tips.count(edge) > 0)))
           covered.push_back({ c, side });
       }
     }
