@@ -31,17 +31,17 @@ class Order_of_surface_3
 {
 public:
   explicit Order_of_surface_3(const Numbered_surface_3& surface)
-    : m_surface(surface), m_points(surface.points.size()), m_places(surface.points.size()), m_facets(surface.facets.size())
+    : m_surface(surface), m_points(surface.points.size()), m_indices(surface.points.size()), m_facets(surface.facets.size())
   {
     const std::vector<double> distance = squared_distances();
     std::iota(m_points.begin(), m_points.end(), 0);
     std::stable_sort(m_points.begin(), m_points.end(),
                      [&](const std::size_t v, const std::size_t w) { return distance[v] < distance[w]; });
     for(std::size_t i = 0; i < m_points.size(); ++i)
-      m_places[m_points[i]] = i;
+      m_indices[m_points[i]] = i;
     std::vector<std::array<std::size_t, 3> > keys;
     for(const std::array<std::size_t, 3>& facet : surface.facets)
-      keys.push_back(sorted(places_of(facet)));
+      keys.push_back(sorted(indices_of(facet)));
     std::iota(m_facets.begin(), m_facets.end(), 0);
     std::sort(m_facets.begin(), m_facets.end(), [&](const std::size_t f, const std::size_t g) { return keys[f] < keys[g]; });
   }
@@ -58,12 +58,12 @@ public:
     }
     for(const std::size_t f : m_facets)
     {
-      std::array<std::size_t, 3> facet = places_of(m_surface.facets[f]);
+      std::array<std::size_t, 3> facet = indices_of(m_surface.facets[f]);
       std::rotate(facet.begin(), std::min_element(facet.begin(), facet.end()), facet.end());
       result.facets.push_back(facet);
     }
     for(const std::array<std::size_t, 2>& edge : m_surface.sharp_edges)
-      result.sharp_edges.push_back(sorted(places_of(edge)));
+      result.sharp_edges.push_back(sorted(indices_of(edge)));
     std::sort(result.sharp_edges.begin(), result.sharp_edges.end());
     return result;
   }
@@ -93,10 +93,10 @@ public:
 
 private:
   template <std::size_t n>
-  std::array<std::size_t, n> places_of(std::array<std::size_t, n> simplex) const
+  std::array<std::size_t, n> indices_of(std::array<std::size_t, n> simplex) const
   {
     for(std::size_t& v : simplex)
-      v = m_places[v];
+      v = m_indices[v];
     return simplex;
   }
 
@@ -122,7 +122,7 @@ private:
   }
 
   const Numbered_surface_3& m_surface;
-  std::vector<std::size_t> m_points, m_places, m_facets; // points in this order, place of each point, facets in this order
+  std::vector<std::size_t> m_points, m_indices, m_facets; // points in this order, index of each point there, facets in this order
 };
 
 } // namespace CGAL::Polycube_meshing_3::internal

@@ -40,11 +40,11 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   const std::vector<bool> is_outer = is_on_boundary(mesh);
   result.number_of_boundary_vertices = std::count(is_outer.begin(), is_outer.end(), true);
 
-  std::string first_place;
-  const auto name_first_place = [&](const std::size_t v)
+  std::string first_position;
+  const auto name_first_position = [&](const std::size_t v)
   {
-    if(first_place.empty())
-      first_place = sentence(" The first one has a vertex at ", describe(mesh.points[v]),
+    if(first_position.empty())
+      first_position = sentence(" The first one has a vertex at ", describe(mesh.points[v]),
                              is_outer[v] ? ", on the boundary." : ", inside.");
   };
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
@@ -57,9 +57,9 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
       if(is_positive_corner(mesh.points, corner))
         return;
       ++result.number_of_inverted_corners;
-      name_first_place(corner[0]);
+      name_first_position(corner[0]);
     });
-    name_first_place(mesh.cells[c][0]); // if all corners are positive
+    name_first_position(mesh.cells[c][0]); // if all corners are positive
   }
   const std::vector<double> quality = scaled_jacobians(mesh);
   result.minimum_scaled_jacobian = *std::min_element(quality.begin(), quality.end());
@@ -67,7 +67,7 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
     = std::accumulate(quality.begin(), quality.end(), 0.) / static_cast<double>(quality.size());
   result.has_valid_mesh = result.number_of_inverted_hexahedra == 0;
   result.status = result.has_valid_mesh ? OK : ERROR_INVERTED_HEXAHEDRON;
-  result.message = get_error_message(result.status) + first_place;
+  result.message = get_error_message(result.status) + first_position;
   return result;
 }
 
