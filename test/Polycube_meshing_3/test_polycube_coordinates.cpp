@@ -30,6 +30,18 @@ TEST_CASE("coordinates are the closest ones to means that keep their order and a
     CHECK(coordinates->values[i] == Approx(expected[i]).margin(1e-12));
 }
 
+TEST_CASE("coordinates are one plane apart, whatever the length of the spacing is")
+{
+  using namespace PM::internal;
+  for(const double spacing : { 0.25, 1., 5. })
+  {
+    const auto coordinates
+      = ordered_coordinates_3({1, 1}, {0, 0.1 * spacing}, {{0, 1, spacing}}, {VMP::internal::Vector_3::Zero(), spacing}, 0);
+    REQUIRE(coordinates);
+    CHECK(coordinates->values[1] - coordinates->values[0] == spacing);
+  }
+}
+
 TEST_CASE("a polycube has the lengths of the body, not those of its shadow, also in multiples of a spacing")
 {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.6, Eigen::Vector3d(0.3, 0.2, 1).normalized()).toRotationMatrix();

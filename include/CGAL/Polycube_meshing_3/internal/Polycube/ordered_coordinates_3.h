@@ -167,7 +167,7 @@ ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double
   {
     if(first == second)
       return std::nullopt;
-    double& largest = distances.emplace(std::pair(first, second), distance).first->second;
+    double& largest = distances.emplace(std::pair(first, second), 0).first->second;
     largest = (std::max)(largest, has_planes ? std::ceil(distance / scale) : distance);
   }
   std::vector<double> wanted;
