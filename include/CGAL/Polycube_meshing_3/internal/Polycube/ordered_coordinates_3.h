@@ -154,8 +154,8 @@ struct Ordered_coordinates
 //
 // The unknowns are differences from coordinates in these orders, as the solver takes far longer if it must find such ones first.
 //
-// With a spacing, distances are rounded up to multiples of it, and the solution is rounded to the planes of the grid, which is
-// moved before if it may. As floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
+// Rounds distances up to multiples of the spacing, if there is one, and the solution to the planes of the grid. Moves the grid
+// before, if it may move. As floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
 inline std::optional<Ordered_coordinates>
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
                       const std::vector<Order_of_coordinates>& orders, const Plane_grid_3& grid, const int axis)

@@ -45,7 +45,7 @@ inline Hexahedral_mesh_result evaluated_hexahedra(const Hexahedra_3& mesh, const
   {
     if(first_position.empty())
       first_position = sentence(" The first one has a vertex at ", describe(mesh.points[v]),
-                             is_outer[v] ? ", on the boundary." : ", inside.");
+                                is_outer[v] ? ", on the boundary." : ", inside.");
   };
   for(std::size_t c = 0; c < mesh.cells.size(); ++c)
   {
