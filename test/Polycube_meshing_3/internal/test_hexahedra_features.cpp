@@ -308,6 +308,23 @@ TEST_CASE("One hexahedron has the small angle of a patch at a corner")
   CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
 }
 
+// Diagonals of the top and the bottom of a plate begin at the ends of one edge, and make angles of 18 degrees with sides there. As
+// a hexahedron has both ends, the second ring is put around its corner when the first one is there.
+TEST_CASE("One hexahedron each has the small angles at two neighboring corners")
+{
+  Body body(4, 0, [](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1], p[2] / 2 }; });
+  for(const double z : { 0., 4. })
+    Complex_with_diagonal::marked(body, 4, Vector3d(0, 0, z));
+  body.soup.edge_references.assign(body.soup.edges.size(), 1);
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1.3, mesh);
+  CAPTURE(result.message, result.minimum_scaled_jacobian);
+  REQUIRE(result.status == VMP::OK);
+  check_boundary(mesh, body);
+  CHECK(result.features.number_of_curves_kept == 14);
+  CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
+}
+
 TEST_CASE("A sheet of hexahedra is cut across the whole mesh")
 {
   Hexahedron_soup_3 soup;

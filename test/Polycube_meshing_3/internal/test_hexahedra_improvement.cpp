@@ -278,6 +278,73 @@ TEST_CASE("Vertices of a hexahedron that is inverted inside alone leave their li
   CHECK(twisted.leave_lines_and_interfaces(0));
 }
 
+// The top of a cube is turned by 180 degrees. The corners of the hexahedron have the scaled Jacobian 0.58 then.
+TEST_CASE("A hexahedron that is inverted inside alone is untwisted, although its corners suffice")
+{
+  Sliding_hexahedra cube(Body(4, 0, same), 4);
+  PM::internal::Placed_hexahedra_3 placed = cube.placed;
+  for(Coordinates_3& p : placed.mesh.points)
+    if(p[2] == 4)
+      p = { 4 - p[0], 4 - p[1], 4 };
+  PM::internal::Sliding_hexahedra_3 twisted(placed, cube.linear_solver, false, cube.budget);
+  PM::internal::Best_hexahedra_3 best;
+  PM::internal::Hexahedra_improvement_3(twisted, false, cube.budget, best).run();
+  CHECK(best.result.has_valid_mesh);
+}
+
+// In a grid of eight distorted boxes, the vertex inside moves.
+TEST_CASE("Moves of single vertices invert no hexahedron for better corners of others")
+{
+  const Sliding_hexahedra box(Body(2, 0, same));
+  VMP::Conjugate_gradient_solver_traits_3<CGAL::Sequential_tag> solver;
+  VMP::internal::Linear_solver_of<decltype(solver)> linear_solver(solver);
+  int number_of_grids = 0;
+  for(unsigned seed = 0; seed < 700; ++seed)
+  {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> noise(-0.4, 0.4);
+    PM::internal::Placed_hexahedra_3 placed = box.placed;
+    for(std::size_t v = 0; v < placed.positions.size(); ++v)
+    {
+      if(placed.positions[v].freedom != PM::internal::Freedom_3::SPACE)
+        placed.positions[v].freedom = PM::internal::Freedom_3::NONE;
+      for(int axis = 0; axis < 3; ++axis)
+        placed.mesh.points[v][axis] += noise(engine);
+    }
+    if(!PM::internal::evaluated_hexahedra(placed.mesh, false).has_valid_mesh)
+      continue;
+    ++number_of_grids;
+    PM::internal::Sliding_hexahedra_3 grid(placed, linear_solver, false, box.budget);
+    grid.smooth(1, 0);
+    CAPTURE(seed);
+    CHECK(PM::internal::evaluated_hexahedra(grid.mesh(), false).has_valid_mesh);
+  }
+  CHECK(number_of_grids > 100);
+}
+
+// Of 10,648 corners, one is left to moves of single vertices at first.
+TEST_CASE("All vertices move for the last inverted corner if it is the only one from the beginning")
+{
+  const Body ball(11, 0, rounded);
+  const Hexahedra_3 start = Sliding_hexahedra::boxes(ball, 1);
+  const std::vector<bool> is_outer = PM::internal::is_on_boundary(start);
+  int number_of_valid_balls = 0;
+  for(const unsigned seed : { 7, 9 })
+  {
+    Hexahedra_3 mesh = start;
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> noise(-1, 1);
+    for(std::size_t v = 0; v < mesh.points.size(); ++v)
+      for(int axis = 0; axis < 3 && is_outer[v]; ++axis)
+        mesh.points[v][axis] += noise(engine);
+    Sliding_hexahedra sliding(ball, mesh);
+    for(int i = 0; i < 3; ++i)
+      sliding.hexahedra.improve(1, true, Corners_to_improve::ALL);
+    number_of_valid_balls += PM::internal::evaluated_hexahedra(sliding.hexahedra.mesh(), false).number_of_inverted_corners == 0;
+  }
+  CHECK(number_of_valid_balls > 0);
+}
+
 TEST_CASE("Vertices that leave the surface come back to it, to its edges and its corners, without inverted corners")
 {
   using PM::internal::Freedom_3;

@@ -36,7 +36,8 @@ public:
     const std::set<std::size_t> cramped = cramped_regions();
     if(may_remove_layers)
       remove_layers(cramped);
-    add_rings(cramped);
+    while(add_rings(cramped))
+    {}
     add_sheets(cramped);
     collect_locations();
     make_surfaces();
@@ -215,9 +216,10 @@ private:
     return result;
   }
 
-  // Puts a ring of hexahedra around the corner of each tip that is not free: the smaller tip is. A corner has no ring if its
-  // hexahedra are in another ring, or have a quadrangle of the boundary without the corner.
-  void add_rings(const std::set<std::size_t>& cramped)
+  // Puts rings of hexahedra around corners of tips that are not free: the smaller tips are. A corner has no ring if its hexahedra
+  // are in another ring, or have a quadrangle of the boundary without the corner. Returns whether there are new rings, outside of
+  // which other corners may have rings, too.
+  bool add_rings(const std::set<std::size_t>& cramped)
   {
     std::map<std::size_t, std::vector<std::size_t> > cells_at; // of vertices at corners with a ring
     for(const auto& [f, i] : tips(cramped, false))
@@ -250,6 +252,7 @@ private:
     }
     if(!covered.empty())
       insert_rings(cells_at, covered, parts);
+    return !covered.empty();
   }
 
   // Covers quadrangles around the hexahedra at corners, and leads paths through the rings.

@@ -40,6 +40,9 @@ struct Corner_goals_3
   std::size_t number_of_steps = 1;         // with positive corners
 };
 
+// Number of corners per inverted one at which the last inverted corners are left to moves of single vertices: a guess.
+constexpr std::size_t corners_per_last_inverted_one = 10000;
+
 // Lengths that edges of a corner should have: their own ones, or the mean ones of the hexahedron along its axes.
 enum class Goals_of_edges { OWN_LENGTHS, MEAN_LENGTHS };
 
@@ -96,13 +99,13 @@ public:
   }
 
   // Returns better points: untangles corners, and if none is inverted then, brings them nearer to corners of boxes, all alike or
-  // (with an exponent) the worst ones first. An exhausted budget ends the search at the next step.
+  // (with an exponent) the worst ones first. The search ends when only the last inverted corners are left, unless it began with
+  // these. An exhausted budget ends it at the next step.
   std::vector<Vector_3> improved(std::vector<Vector_3> points, const Corner_goals_3& goals, Linear_solver_3& solver,
                                  const Budget& budget)
   {
     constexpr double theta = 0.5;                           // a guess; how much volumes count beside shapes
     constexpr std::size_t number_of_steps_to_untangle = 30; // a guess
-    constexpr std::size_t corners_per_few = 10000;          // a guess; few inverted ones are left to steps of single vertices
     Conditions_3 conditions;
     for(const std::size_t v : m_order)
       conditions.push_back(goals.conditions[v]);
@@ -118,8 +121,11 @@ public:
     Progress_3 untangling(budget, number_of_steps_to_untangle), progress(budget, goals.number_of_steps);
     system.step_along_tangents();
     Matrix3Xd positions = m_numbered.target;
-    if(inverted_cells(m_numbered, positions).number > 0)
-      positions = minimize_untangling_energy_3(system, positions, theta, untangling, m_corners.size() / corners_per_few).positions;
+    if(const std::size_t number = inverted_cells(m_numbered, positions).number; number > 0)
+    {
+      const std::size_t last = m_corners.size() / corners_per_last_inverted_one;
+      positions = minimize_untangling_energy_3(system, positions, theta, untangling, number > last ? last : 0).positions;
+    }
     if(inverted_cells(m_numbered, positions).number == 0)
     {
       const Untangling_energy_3 energy(0, theta); // its barrier: all corners are positive now

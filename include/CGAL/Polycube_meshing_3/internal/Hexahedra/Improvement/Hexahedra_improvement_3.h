@@ -75,6 +75,13 @@ private:
     return m_result.number_of_inverted_corners * corners_per_inverted_corner <= 8 * m_result.number_of_cells;
   }
 
+  // Returns whether only the last corners are inverted, which are left to moves of single vertices.
+  bool has_last_inverted_corners() const
+  {
+    return m_result.number_of_inverted_corners > 0
+           && m_result.number_of_inverted_corners * corners_per_last_inverted_one <= 8 * m_result.number_of_cells;
+  }
+
   // Returns whether a corner is so flat that it holds up steps for all vertices.
   bool is_held_up() const
   {
@@ -90,19 +97,25 @@ private:
     m_best.take(m_result, m_hexahedra.mesh());
   }
 
-  // Moves vertices one after the other. While corners are inverted, uncovered points count little.
+  // Moves vertices one after the other: for all corners below a target, and then, if some are poor, for the worst ones alone, as
+  // others would count as much with a target far above these. While hexahedra are inverted, uncovered points count little.
   void smooth(const double price_of_uncovered)
   {
-    constexpr double gain = 0.2; // a guess; with a target far above the worst corners, others would count as much
-    m_hexahedra.smooth((std::max)(0., m_result.minimum_scaled_jacobian) + gain,
-                       m_result.number_of_inverted_corners > 0 ? smallest_price : price_of_uncovered);
-    evaluate();
+    for(const double gain : { 0.2, 0.05 }) // guesses
+    {
+      const bool is_valid = m_result.has_valid_mesh;
+      m_hexahedra.smooth((is_valid ? m_result.minimum_scaled_jacobian : 0) + gain, is_valid ? price_of_uncovered : smallest_price);
+      evaluate();
+      if(is_at_least(m_result, poor_scaled_jacobian))
+        break;
+    }
   }
 
   // Moves all vertices at once: first those inside, then all, and in the end for the sake of poor corners, until no corner is
   // inverted and a round gains little for the mean. Where corners are inverted or almost flat in between, their vertices move one
-  // after the other. They alone move while that untangles some and corners are so flat that they hold up all others. Rounds that
-  // do not halve the number of inverted corners are in vain; then their vertices may leave lines, and later interfaces.
+  // after the other. They alone move while that untangles some and corners are so flat that they hold up all others, or while
+  // only the last corners are inverted and that is not in vain. Rounds that do not halve the number of inverted corners are in
+  // vain; then their vertices may leave lines, and later interfaces.
   void move_all(const double least_gain)
   {
     constexpr int number_of_first_rounds = 3; // a guess
@@ -116,7 +129,7 @@ private:
       if(round > 0 && m_result.minimum_scaled_jacobian < flat_scaled_jacobian)
         smooth(usual_price);
       const double mean = m_result.mean_scaled_jacobian;
-      if(!is_held_up() || !(inverted(m_result) < inverted(before)))
+      if((!is_held_up() || !(inverted(m_result) < inverted(before))) && (in_vain == patience - 1 || !has_last_inverted_corners()))
       {
         m_hexahedra.improve(round == 0 ? first_steps : steps, round > 0,
                             round < number_of_first_rounds ? Corners_to_improve::ALL : Corners_to_improve::POOR);
@@ -133,8 +146,8 @@ private:
   // Improves corners, the worst ones most, and the hexahedra that are inverted inside, all vertices at once and, until the least
   // scaled Jacobian suffices, one vertex after the other in turn, until a few rounds gain neither for the least one nor the mean.
   // While corners are inverted, a gain is a smaller number of inverted corners or hexahedra than ever before. If a round gains
-  // nothing and corners are positive but poor, points that the boundary does not cover count less, and the vertices of corners
-  // below the bound leave their lines.
+  // nothing, and corners are positive, but hexahedra poor or inverted inside, points that the boundary does not cover count less,
+  // and the vertices of corners below the bound leave their lines.
   void improve_corners()
   {
     constexpr double least_gain = 0.005, least_gain_of_mean = 0.002; // guesses; in a round
@@ -147,7 +160,7 @@ private:
         && m_budget.may_begin_round(Phase::HEXAHEDRA, "worst corners"); ++round)
     {
       const double before = m_result.minimum_scaled_jacobian, mean = m_result.mean_scaled_jacobian;
-      if((round > 0 || suffices()) && !is_held_up())
+      if((round > 0 || suffices()) && !is_held_up() && !has_last_inverted_corners())
       {
         m_hexahedra.improve(first_steps, true, Corners_to_improve::WORST_ANGLES);
         evaluate();
@@ -162,7 +175,7 @@ private:
       fewest_corners = (std::min)(fewest_corners, m_result.number_of_inverted_corners);
       fewest_hexahedra = (std::min)(fewest_hexahedra, m_result.number_of_inverted_hexahedra);
       in_vain = is_gain ? 0 : in_vain + 1;
-      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && m_result.minimum_scaled_jacobian < poor_scaled_jacobian)
+      if(in_vain > 0 && m_result.number_of_inverted_corners == 0 && !is_at_least(m_result, poor_scaled_jacobian))
       {
         if(m_bound_of_lines)
           m_hexahedra.leave_lines_and_interfaces(*m_bound_of_lines);

@@ -81,6 +81,18 @@ inline std::vector<Hexahedra_of_vertex> watched_hexahedra_3(const std::vector<Ve
   return result;
 }
 
+// Returns for each vertex its positive hexahedra if all corners are positive, and none otherwise.
+inline std::vector<Hexahedra_of_vertex> guarded_hexahedra_3(const Hexahedra_3& mesh, const Corners_of_vertex& corners)
+{
+  std::vector<Hexahedra_of_vertex> result(mesh.points.size());
+  if(std::all_of(corners.begin(), corners.end(), [&](const auto& corner) { return is_positive_corner(mesh.points, corner); }))
+    for(const std::array<std::size_t, 8>& hexahedron : mesh.cells)
+      if(is_positive_hexahedron(mesh.points, hexahedron))
+        for(const std::size_t v : hexahedron)
+          result[v].push_back(hexahedron);
+  return result;
+}
+
 // Returns the mean length of the edges of corners. An edge counts once for each of these corners that has it.
 inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const Corners_of_vertex& corners)
 {
@@ -94,14 +106,16 @@ inline double mean_length_of_edges(const std::vector<Vector_3>& positions, const
 }
 
 // Costs of the positions of vertices: the shortage at their corners to a goal, and the rest, which is the shortage inside of
-// hexahedra and the price of uncovered points of the surfaces. Refers to the points of the mesh, and follows their moves.
+// hexahedra and the price of uncovered points of the surfaces. Once all corners are positive, no hexahedron may become inverted
+// inside. Refers to the points of the mesh, and follows their moves.
 class Costs_of_positions_3
 {
 public:
   Costs_of_positions_3(const Corners_of_hexahedra_3& corners, const std::vector<Covered_surface_3>& covered,
                        const double price_of_uncovered, const Hexahedra_3& mesh)
     : m_points(mesh.points), m_corners(m_points.size()), m_hexahedra(watched_hexahedra_3(m_points, mesh.cells)),
-      m_covers(m_points.size()), m_edge(mean_length_of_edges(m_points, corners.corners())), m_price(price_of_uncovered)
+      m_guarded(guarded_hexahedra_3(mesh, corners.corners())), m_covers(m_points.size()),
+      m_edge(mean_length_of_edges(m_points, corners.corners())), m_price(price_of_uncovered)
   {
     for(const std::array<std::size_t, 4>& corner : corners.corners())
       for(const std::size_t v : corner)
@@ -117,6 +131,13 @@ public:
   {
     return shortage_inside(m_points, m_hexahedra[v])
       + m_price * uncovered(m_points, m_covers[v], tolerance * m_edge) / (m_edge * m_edge);
+  }
+
+  // Returns whether the guarded hexahedra of a vertex are still positive.
+  bool are_guarded_positive(const std::size_t v) const
+  {
+    return std::all_of(m_guarded[v].begin(), m_guarded[v].end(), [&](const std::array<std::size_t, 8>& hexahedron)
+                       { return is_positive_hexahedron(m_points, hexahedron); });
   }
 
   const Corners_of_vertex& corners(const std::size_t v) const { return m_corners[v]; }
@@ -136,7 +157,7 @@ private:
 
   const std::vector<Vector_3>& m_points;
   std::vector<Corners_of_vertex> m_corners;
-  const std::vector<Hexahedra_of_vertex> m_hexahedra;
+  const std::vector<Hexahedra_of_vertex> m_hexahedra, m_guarded;
   std::vector<Cover_of_vertex_3> m_covers;
   const double m_edge, m_price;
 };
@@ -154,7 +175,7 @@ inline bool move_to_cheapest_neighbor_3(const std::size_t v, const Position_3& p
     double next = costs.of_corners(v, goal, cost);
     if(next < cost)
       next += costs.of_rest(v);
-    if(next < cost)
+    if(next < cost && costs.are_guarded_positive(v))
     {
       cost = next;
       best = points[v];
