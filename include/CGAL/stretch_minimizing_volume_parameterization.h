@@ -292,7 +292,7 @@ stretch_minimizing_volume_parameterization(C3t3& c3t3, VertexUVWMap uvw_map,
     VMP::internal::insert_vertices(c3t3, body, map.insertions);
     if constexpr(!has_boundary_map)
       if(!map.insertions.empty())
-        VMP::internal::reorder_cells(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
+        VMP::internal::reorder_result(VMP::internal::boundary_parameterizer_of(np), c3t3, body);
   }
   for(std::size_t v = 0; v < map.images.size(); ++v) // none without a valid map
     put(uvw_map, body.vertices[v], Point_3(map.images[v][0], map.images[v][1], map.images[v][2]));

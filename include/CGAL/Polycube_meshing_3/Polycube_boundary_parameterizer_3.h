@@ -238,8 +238,8 @@ public:
       m_result->labels[body.sides[f] / 4][body.sides[f] % 4] = internal::label_of_image(surface.facets[f], images);
   }
 
-  // Orders the labels as the cells of the refined complex: cell c of these has the number order[c] in the body.
-  void reorder_cells(const std::vector<std::size_t>& order) const
+  // Reorders the stored labels as the cells of the refined complex, of which cell c has the number order[c] in the body.
+  void reorder_result(const std::vector<std::size_t>& order) const
   {
     if(m_result == nullptr || m_result->labels.size() != order.size())
       return;

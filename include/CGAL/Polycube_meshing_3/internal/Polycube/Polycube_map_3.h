@@ -67,7 +67,7 @@ public:
         m_images[v][m_charts.axis(m_charts.chart(h))] = coordinates[m_charts.chart(h)];
     m_coordinates = coordinates;
     m_is_on_line = m_is_held = Held_coordinates(m_images.size(), { false, false, false });
-    map_edges();
+    map_chains();
     find_flipped_faces_on_edges();
     if(!m_flipped_faces.empty())
       return ERROR_BOUNDARY_TOO_COARSE;
@@ -117,8 +117,8 @@ private:
     return start_at(coordinates.of_charts(), budget);
   }
 
-  // Maps the chains, by arc length between the vertices whose coordinate is held, and holds all their vertices.
-  void map_edges()
+  // Maps the chains to edges of the polycube, by arc length between vertices held along the edge, and holds all their vertices.
+  void map_chains()
   {
     for(const Polycube_chain_3& chain : m_charts.chains())
     {
@@ -193,7 +193,7 @@ private:
     m_is_held.assign(m_images.size(), { false, false, false });
     lines.apply(m_images, m_is_held);
     m_is_on_line = m_is_held;
-    map_edges();
+    map_chains();
     map_charts(budget);
   }
 

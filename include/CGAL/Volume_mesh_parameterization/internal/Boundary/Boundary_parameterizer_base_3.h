@@ -66,7 +66,7 @@ public:
 
   // Stores what users may ask of the chosen boundary, and later orders it as the cells of a refined complex.
   void store_result(const Body_3&, const Mapped_boundary_3&) const {}
-  void reorder_cells(const std::vector<std::size_t>&) const {}
+  void reorder_result(const std::vector<std::size_t>&) const {}
 
 protected:
   template <typename C3t3, typename VertexPointMap, typename NamedParameters, typename Given>

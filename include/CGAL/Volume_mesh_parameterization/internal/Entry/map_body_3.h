@@ -118,10 +118,10 @@ Body_map_3 map_body_3(Body_3& body, const NamedParameters& np, const Targets_to_
 
 // Orders the result of a parameterizer, which is that of the cells of a body, as the cells of the refined complex.
 template <typename Parameterizer, typename C3t3, typename Body>
-void reorder_cells(const Parameterizer& parameterizer, const C3t3& c3t3, const Body& body)
+void reorder_result(const Parameterizer& parameterizer, const C3t3& c3t3, const Body& body)
 {
   if constexpr(is_of_this_package<Parameterizer>)
-    parameterizer.reorder_cells(order_of_cells(c3t3, body));
+    parameterizer.reorder_result(order_of_cells(c3t3, body));
 }
 
 template <typename NamedParameters>

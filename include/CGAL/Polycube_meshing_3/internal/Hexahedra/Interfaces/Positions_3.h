@@ -116,7 +116,7 @@ public:
     std::vector<Position_3> result;
     for(std::size_t v = 0; v < m_patches.size(); ++v)
       result.push_back(position(v));
-    for(const auto& [v, corner] : matched_corners(distances_from_corners(result)))
+    for(const auto& [v, corner] : matched_corners(squared_distances_from_corners(result)))
     {
       result[v].freedom = Freedom_3::NONE;
       result[v].point = m_interfaces.corners(corner.first)[corner.second];
@@ -159,7 +159,7 @@ private:
 
   // Returns the squared distances of vertices from the corners where their patches meet. A vertex on a line has corners only if
   // the line crosses a line of the boundary there. A vertex on the boundary has only corners near it.
-  std::vector<std::tuple<double, std::size_t, Corner> > distances_from_corners(const std::vector<Position_3>& positions)
+  std::vector<std::tuple<double, std::size_t, Corner> > squared_distances_from_corners(const std::vector<Position_3>& positions)
   {
     std::vector<std::tuple<double, std::size_t, Corner> > result;
     for(std::size_t v = 0; v < positions.size(); ++v)
