@@ -161,8 +161,8 @@ public:
   ///
   /// \param spacing the spacing of the grid, in the units of the complex; 0 for faces with any coordinates
   /// \param axes the axes of the polycube
-  /// \param result if it is not null, each call that finds a polycube writes the rotation, the labels and the sharp edges given up
-  ///        there. It must exist as long as this object or a copy, as in a named parameter, is called.
+  /// \param result if it is not null, each call that finds a polycube writes the properties of the polycube there. It must exist
+  ///        as long as this object or a copy, as in a named parameter, is called.
   ///
   /// \pre The spacing is finite and not negative; otherwise `CGAL::Precondition_exception` is thrown, in every build.
   explicit Polycube_boundary_parameterizer_3(const double spacing = 0, const Polycube_axes axes = Polycube_axes::FOUND,
@@ -199,7 +199,7 @@ public:
   }
 
   /// writes the image of each point on the boundary of a mesh that is given by arrays, for given labels. `labels[c][i]` is the
-  /// label of the facet opposite to vertex `i` of cell `c`.
+  /// label of the facet opposite to vertex `i` of cell `c`. Labels of facets inside do not matter. All else is as for a complex.
   template <typename PointRange, typename CellRange, typename LabelRange, typename TargetRange,
             typename CGAL_NP_TEMPLATE_PARAMETERS, typename = internal::If_range<LabelRange>,
             typename = internal::If_range<TargetRange> >

@@ -61,7 +61,7 @@ inline std::string INP_name(const std::string& name)
   return result.substr(0, 80); // as many as both programs allow
 }
 
-// Writes a keyword and the items of indices, as numbers from 1, at most 16 in a line.
+// Writes a keyword and the numbers, from 1, of nodes or elements with these indices, at most 16 in a line, as both programs take.
 template <typename Indices>
 void write_INP_set(Text_writer& writer, const std::string& keyword, const Indices& indices)
 {
@@ -124,7 +124,7 @@ inline std::map<std::string, std::vector<Quadrangle_of_hexahedron> > INP_surface
   return result;
 }
 
-// Returns the vertices on each curve with a reference, by the name of the set; some of them twice.
+// Returns, by name, the vertices on each curve whose reference is not 0. A vertex comes once for each of its edges there.
 inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahedron_soup_3& mesh)
 {
   std::map<std::string, std::vector<std::size_t> > result;
@@ -135,8 +135,9 @@ inline std::map<std::string, std::vector<std::size_t> > INP_curves(const Hexahed
   return result;
 }
 
-// Adds for each name of groups of a dimension the union of the sets of these groups. The names are by dimension and reference.
-// The names of sets are a prefix and a reference. A union replaces a set whose name is the same but for capitals.
+// Adds, for each name, the union of the sets of all groups of the dimension that have this name. The names of groups are by
+// dimension and reference. The set of a group is named by the prefix and the reference. Removes sets that have the name of a group
+// but for capitals, because both programs ignore capitals.
 template <typename Item>
 void add_groups(const std::map<std::pair<int, int>, std::string>& names, const int dimension, const std::string& prefix,
                 std::map<std::string, std::vector<Item> >& sets)
@@ -194,10 +195,10 @@ inline bool write_MEDIT(std::ostream& os, const Hexahedron_soup_3& mesh)
 ///
 /// writes hexahedra, and the quadrangles of their boundary and of interfaces, as a VTK XML file (`.vtu`). The points have the
 /// vectors `uvw`, their images. The cells have the values `scaled_jacobian` (as in `Hexahedral_mesh_result`), `block`,
-/// `grid_index` (the indices (i, j, k) in the block) and `subdomain`. A quadrangle has the values of its hexahedron. The values
-/// `face` and `surface` are the face of the polycube and the reference of a quadrangle, and 0 for hexahedra. If there are
-/// interfaces, `interface` has the two subdomains of a quadrangle there, and 0 and 0 for all other cells. Names of groups are
-/// arrays of the section `FieldData`, for `subdomain` and `surface`.
+/// `grid_index` (the indices (i, j, k) in the block) and `subdomain`. A quadrangle has the values of its hexahedron, which on an
+/// interface is the one in the subdomain with the smaller number. The values `face` and `surface` are the face of the polycube and
+/// the reference of a quadrangle, and 0 for hexahedra. If there are interfaces, `interface` has the two subdomains of a quadrangle
+/// there, and 0 and 0 for all other cells. Names of groups are arrays of the section `FieldData`, for `subdomain` and `surface`.
 ///
 /// \param os the stream, opened in binary mode if it is a file
 /// \param mesh the hexahedra
@@ -371,7 +372,7 @@ inline bool write_INP(std::ostream& os, const Hexahedron_soup_3& mesh, const std
 
 /// \ingroup PkgPolycubeMeshing3Hexahedra
 ///
-/// writes hexahedra to a file, as to a stream. The file is replaced when it is complete.
+/// writes hexahedra to a file, as to a stream. The file is replaced, but not if an exception is thrown.
 ///
 /// \param filename the name of the file
 /// \param mesh the hexahedra

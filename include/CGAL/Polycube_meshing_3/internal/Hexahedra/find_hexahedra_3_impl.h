@@ -62,9 +62,10 @@ inline Boxes_3 boxes_of_grid_3(const Body_with_domain_3& body, const Box_grid_3&
   return result;
 }
 
-// Returns the best hexahedra of boxes in the domain, with the layers that they need or with one along the whole boundary. The
-// hexahedra follow the interfaces unless these are to be staircases. Valid hexahedra of a body without interfaces are fitted to
-// its features. If that succeeds, nothing else is tried, as fitting moves all vertices again.
+// Returns the best hexahedra of boxes in the domain, with the layers that they need or, if they stay poor, with one along the
+// whole boundary. Returns none, with the status ERROR_INTERRUPTED, if the budget is exhausted before the first ones. The hexahedra
+// follow the interfaces unless these are to be staircases. Valid hexahedra of a body without interfaces are fitted to its
+// features. If that succeeds, nothing else is tried, as fitting moves all vertices again.
 inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, const Body_with_domain_3& body,
                                          const Boxes_3& boxes, Body_interfaces_3& interfaces, const Staircases staircases,
                                          const Budget& budget)

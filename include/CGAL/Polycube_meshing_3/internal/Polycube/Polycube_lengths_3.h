@@ -68,6 +68,7 @@ private:
   // Sum of squares x^T A x / 2 - b^T x, up to a constant.
   struct Sum_of_squares { Matrix A; VectorXd b; };
 
+  // Returns the factorization of A, which is sparse because only planes at the border of one chart share an entry.
   static std::unique_ptr<Symmetric_sparse_solver> factorized(const Matrix& A)
   {
     std::vector<Sparse_entry> entries;

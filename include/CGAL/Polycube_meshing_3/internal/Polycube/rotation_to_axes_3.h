@@ -33,7 +33,7 @@ namespace CGAL::Polycube_meshing_3::internal {
 class Turned_normals_3
 {
 public:
-  // Sums up normals that differ by about a degree, such that the number of sums does not grow with that of the facets.
+  // Sums up normals that differ by less than about a degree, such that the number of sums does not grow with that of the facets.
   explicit Turned_normals_3(const Boundary_mesh_3& mesh)
   {
     std::map<std::array<double, 3>, Vector_3> sums;

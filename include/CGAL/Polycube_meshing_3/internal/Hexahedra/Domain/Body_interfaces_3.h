@@ -48,8 +48,8 @@ public:
   // Returns the patches between each pair of subdomains that have an interface.
   const std::map<Pair, Patches_3>& patches_of_pairs() const { return m_patches_of_pair; }
 
-  // Returns the patch for a quadrangle between a pair of subdomains, or 0 if these have no interface. Takes the center, the unit
-  // normal and the width of the quadrangle. The patch has the least distance plus width times (1 - cosine between normals).
+  // Returns the patch for a quadrangle between a pair of subdomains, or 0 if these have no interface. Takes its center, its unit
+  // normal out of the first subdomain, and its width. The patch has the least distance plus width times (1 - cosine of normals).
   std::size_t patch_of_quadrangle(const Vector_3& center, const Vector_3& normal, const double width, const Pair& pair)
   {
     std::pair<double, std::size_t> best = { (std::numeric_limits<double>::infinity)(), 0 };

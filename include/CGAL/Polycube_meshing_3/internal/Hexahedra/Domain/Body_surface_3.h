@@ -126,7 +126,7 @@ public:
     return (lower - p).cwiseMax(p - upper).cwiseMax(Vector_3::Zero()).norm();
   }
 
-  // Returns the projector onto the directions in which a vertex of this freedom at p may move; p is where the vertex may be.
+  // Returns the projector onto the directions in which a vertex of this freedom may move at p, which is on its surface or line.
   Matrix_3 projector(const Vector_3& p, const Freedom_3 freedom) const
   {
     if(freedom == Freedom_3::SPACE || freedom == Freedom_3::NONE)

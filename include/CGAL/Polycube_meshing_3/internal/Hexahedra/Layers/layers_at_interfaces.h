@@ -46,7 +46,8 @@ sides_with_layer_3(const Hexahedra_3& mesh, const std::vector<Interface_quadrang
   return result;
 }
 
-// Returns the patches in which a quadrangle has a straight corner: two of its edges at a vertex that moves along a smooth line.
+// Returns the patches in which a quadrangle has a straight corner: two of its edges separate patches, and meet at a vertex
+// that moves along a smooth line. Takes the position of each vertex.
 inline Patches_3 patches_with_straight_corners(const std::vector<Interface_quadrangle_3>& quadrangles,
                                                const std::vector<Position_3>& positions)
 {
