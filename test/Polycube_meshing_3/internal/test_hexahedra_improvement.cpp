@@ -322,7 +322,7 @@ TEST_CASE("Moves of single vertices invert no hexahedron for better corners of o
   CHECK(number_of_grids > 100);
 }
 
-// Of 10,648 corners, one is left to moves of single vertices at first.
+// Leaves one of 10,648 corners to moves of single vertices at first.
 TEST_CASE("All vertices move for the last inverted corner if it is the only one from the beginning")
 {
   const Body ball(11, 0, rounded);

@@ -191,7 +191,7 @@ inline void complete_valid(const Hexahedra_problem_3& problem, const Body_with_d
   add_interfaces_and_references(body, interfaces, mesh, found.mesh);
   const Body_complex_3 complex(body.soup, body.points);
   result.features = kept_features_3(complex, body.surface, mesh, best.edge);
-  set_features(complex, mesh, best.edge, found.mesh);
+  add_features(complex, mesh, best.edge, found.mesh);
   const Largest_distance_3 farthest = boundary_distance_3(body.surface, mesh);
   result.boundary_distance = farthest.distance;
   result.patches = patches_of(mesh, found.mesh.facet_references);

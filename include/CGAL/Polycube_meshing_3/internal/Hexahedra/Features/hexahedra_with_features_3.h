@@ -110,8 +110,9 @@ inline std::string sentence_on_features(const Hexahedral_mesh_features& features
                   ". To keep more, make the spacing smaller.");
 }
 
-// Adds to the soup the edges along curves, with both vertices on these and their references, and the vertices at corners.
-inline void set_features(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge, Hexahedron_soup_3& soup)
+// Adds to the soup the edges with both vertices on one curve, with its reference, and the vertices at corners. Takes the length of
+// edges without distortion.
+inline void add_features(const Body_complex_3& complex, const Hexahedra_3& mesh, const double edge, Hexahedron_soup_3& soup)
 {
   const double tolerance = tolerance_of_features * edge, rounding = 1e-6 * edge;
   for(const std::vector<std::size_t>& at_corner : vertices_at_corners_3(complex, mesh, edge))
@@ -299,7 +300,7 @@ inline Best_hexahedra_3 fitted_to_features_3(const Body_complex_3& complex, std:
     for(const std::optional<double> bound_of_lines : { std::optional<double>(), std::optional<double>(usable_scaled_jacobian) })
       if(!is_at_least(next.result, usable_scaled_jacobian))
         Hexahedra_improvement_3(hexahedra, true, budget, next, bound_of_lines).run();
-    result.take(next.result, next.mesh);
+    result.take_if_better(next.result, next.mesh);
     if(is_at_least(result.result, usable_scaled_jacobian))
       break;
     if(placed.has_removed_layers())

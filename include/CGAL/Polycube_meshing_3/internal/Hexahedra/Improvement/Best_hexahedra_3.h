@@ -109,8 +109,8 @@ struct Best_hexahedra_3
   Staircases staircases = Staircases::NONE;
   bool has_features = false; // have hexahedra been fitted to features of the body?
 
-  // Replaces the mesh by the next one if this is the first or a better one.
-  void take(const Hexahedral_mesh_result& of_next, const Hexahedra_3& next)
+  // Replaces the mesh and its result by the next ones if there is no mesh yet, or the next one is better.
+  void take_if_better(const Hexahedral_mesh_result& of_next, const Hexahedra_3& next)
   {
     if(mesh.cells.empty() || is_better(of_next, result, edge))
     {

@@ -50,7 +50,7 @@ enum class Goals_of_edges { OWN_LENGTHS, MEAN_LENGTHS };
 class Corners_of_hexahedra_3
 {
 public:
-  using Corner = std::array<std::size_t, 4>;
+  using Corner = std::array<std::size_t, 4>; // its vertex, and the neighbors of this
 
   // Orders vertices and corners, of which corner k of hexahedron c has the user number 8 c + k. Takes whether each vertex stays.
   Corners_of_hexahedra_3(const Hexahedra_3& mesh, const std::vector<bool>& is_fixed, const bool is_parallel)
@@ -70,7 +70,7 @@ public:
   }
 
   const std::vector<std::size_t>& order() const { return m_order; } // of vertices
-  const std::vector<Corner>& corners() const { return m_corners; }
+  const std::vector<Corner>& corners() const { return m_corners; } // in the order that Newton's method has
 
   // Sets the mean edge, and the goals for edges, none of which is below a part of the mean edge. With own lengths, angles alone
   // count, as they do for scaled Jacobians.

@@ -20,8 +20,8 @@
 
 namespace CGAL::Polycube_meshing_3::internal {
 
-// Improves hexahedra, and keeps the best ones. Vertices of corners that stay inverted or below a bound leave their lines, and
-// those of inverted corners their interfaces; without a bound, none does.
+// Improves hexahedra, and keeps the best ones. Vertices of corners that stay inverted, or whose scaled Jacobian stays below a
+// bound, leave their lines, and those of inverted corners their interfaces. Without a bound, none does.
 class Hexahedra_improvement_3
 {
 public:
@@ -94,7 +94,7 @@ private:
   {
     m_result = evaluated_hexahedra(m_hexahedra.mesh(), m_has_padding);
     m_result.boundary_distance = m_hexahedra.boundary_distance();
-    m_best.take(m_result, m_hexahedra.mesh());
+    m_best.take_if_better(m_result, m_hexahedra.mesh());
   }
 
   // Moves vertices one after the other: for all corners below a target, and then, if some are poor, for the worst ones alone, as

@@ -250,8 +250,9 @@ private:
   }
 
   // Moves vertices to new points, put back onto the surface. If a hexahedron would be inverted, or a corner so flat that the next
-  // steps would serve it alone, its vertices go a part of their way only, and in the end stay. If not all corners were positive
-  // before (`was_valid`), the next steps are left to mend corners that the move or a few attempts leave inverted.
+  // steps would serve it alone, its vertices go a part of their way only, and in the end stay. `was_valid` says whether all
+  // corners were positive before. If not, the next steps mend corners that the move or a few attempts leave inverted. Edges much
+  // shorter than the mean one count as longer ones.
   void put_back(const std::vector<Vector_3>& moved, const bool was_valid, const double mean_edge)
   {
     constexpr int number_of_attempts = 5; // a guess
