@@ -100,8 +100,9 @@ inline Best_hexahedra_3 best_hexahedra_3(const Hexahedra_problem_3& problem, con
         continue;
       if(may_fit && best.result.has_valid_mesh)
       {
-        may_fit = false; // fitting takes as long as all else
-        if(const auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget))
+        constexpr double part = 0.75; // a guess; if fitting fails, the first valid hexahedra need time to be improved
+        may_fit = false;              // fitting takes as long as all else
+        if(const auto with_features = hexahedra_with_features_3(problem, body, interfaces, best, budget.part(part)))
           return *with_features;
       }
       improvement.polish();
