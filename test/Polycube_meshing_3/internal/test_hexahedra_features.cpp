@@ -308,6 +308,24 @@ TEST_CASE("One hexahedron has the small angle of a patch at a corner")
   CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
 }
 
+// All vertices of the diagonal are those of boxes, but its edges cross quadrangles of these.
+TEST_CASE("A curve is not kept by boxes at its vertices alone")
+{
+  Body body(4, 0, same);
+  Complex_with_diagonal::marked(body, 4, Vector3d(0, 0, 4));
+  body.soup.edge_references.assign(body.soup.edges.size(), 1);
+  Hexahedron_soup_3 mesh;
+  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1, mesh);
+  CAPTURE(result.message);
+  REQUIRE(result.status == VMP::OK);
+  CHECK(result.features.number_of_curves_kept == 13);
+  CHECK(std::any_of(mesh.edges.begin(), mesh.edges.end(), [&](const auto& e)
+  {
+    const Vector3d d = vector(mesh.points[e[1]]) - vector(mesh.points[e[0]]);
+    return std::abs(d[0]) > 1e-9 && std::abs(d[0] - d[1]) < 1e-9;
+  }));
+}
+
 // Diagonals of the top and the bottom of a plate begin at the ends of one edge, and make angles of 18 degrees with sides there. As
 // a hexahedron has both ends, the second ring is put around its corner when the first one is there.
 TEST_CASE("One hexahedron each has the small angles at two neighboring corners")

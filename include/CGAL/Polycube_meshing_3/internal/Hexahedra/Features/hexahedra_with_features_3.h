@@ -41,7 +41,8 @@ inline std::vector<std::vector<std::size_t> > vertices_at_corners_3(const Body_c
 }
 
 // Counts and names the corners, curves and patches of a body that hexahedra keep: a corner is near a vertex of the boundary, all
-// vertices of a curve are near edges, the curves of a patch are kept, and it has a quadrangle. Near is within the tolerance.
+// vertices of a curve and middles of its edges are near edges, the curves of a patch are kept, and it has a quadrangle. Near is
+// within the tolerance.
 inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, const Body_surface_3& boundary,
                                                 const Hexahedra_3& mesh, const double edge)
 {
@@ -67,9 +68,13 @@ inline Hexahedral_mesh_features kept_features_3(const Body_complex_3& complex, c
             result.corners_given_up);
   std::vector<bool> is_curve_kept(complex.number_of_curves(), true), is_patch_kept(complex.number_of_patches(), false);
   for(std::size_t a = 0; a < complex.arcs().size(); ++a)
-    for(const Vector_3& p : complex.line(a).points())
-      if(std::sqrt(edges.squared_distance(exact_point(p))) > tolerance_of_features * edge)
-        is_curve_kept[complex.arcs()[a].curve] = false;
+  {
+    const std::vector<Vector_3>& points = complex.line(a).points();
+    for(std::size_t i = 0; i < points.size(); ++i)
+      for(const Vector_3& p : { points[i], Vector_3((points[i] + points[i - (i > 0)]) / 2) })
+        if(std::sqrt(edges.squared_distance(exact_point(p))) > tolerance_of_features * edge)
+          is_curve_kept[complex.arcs()[a].curve] = false;
+  }
   for(const std::array<std::size_t, 4>& q : mesh.facets)
     is_patch_kept[complex.patch_of_facet(boundary.nearest_facet(center_of(mesh.points, q)))] = true;
   std::vector<bool> is_counted(complex.number_of_curves(), false);
