@@ -265,6 +265,9 @@ TEST_CASE("Hexahedra are written for Abaqus, with faces in its numbering, and nu
     { { 2, 5 }, "FACE_1" }, { { 2, 6 }, "a_b_2" }, { { 2, 7 }, "FACE_1" }, { { 2, 8 }, "a_b_3" }, { { 2, 9 }, "a_b" },
     { { 2, 10 }, "Gr__e" }, { { 2, 11 }, "GROUP_" }, { { 2, 12 }, "nall_2" }, { { 2, 13 }, "A_B_4" },
     { { 2, 14 }, std::string(80, 'x') }, { { 2, 15 }, std::string(70, 'x') + "_2" }, { { 3, 0 }, "a_b" } });
+  CHECK(PM::IO::names_in_INP({ { { 1, 4 }, "load" }, { { 1, 5 }, "Corners" }, { { 2, 6 }, "load" }, { { 3, 0 }, "load" } })
+        == std::map<std::pair<int, int>, std::string>{ // one set of nodes would have those of the curve and of the surface
+          { { 1, 4 }, "load_2" }, { { 1, 5 }, "Corners_2" }, { { 2, 6 }, "load" }, { { 3, 0 }, "load" } });
   std::ostringstream with_faces;
   PM::IO::write_INP(with_faces, marked, "C3D8", groups);
   named = sections_of_inp(with_faces.str());

@@ -276,23 +276,23 @@ inline bool write_VTU(const std::string& filename, const Hexahedron_soup_3& mesh
 ///
 /// returns the names that `write_INP()` gives to groups. Abaqus and CalculiX take up to 80 letters, digits and underscores. The
 /// first is a letter, and capitals do not matter. A name that is possible stays. In others, other characters become `_`, and a
-/// number follows if another group of the same dimension has the result, or the set `NALL` or `EALL`. Groups of one dimension with
-/// equal names stay together.
+/// number follows if another set of elements or nodes has the result. Surfaces have sets of nodes, as curves have: of both, a
+/// surface keeps a name. Groups of one dimension with equal names stay together.
 ///
 /// \param group_names the names of groups, by their dimension and reference, as in `Tetrahedron_soup_3`
 inline std::map<std::pair<int, int>, std::string> names_in_INP(const std::map<std::pair<int, int>, std::string>& group_names)
 {
   std::map<std::pair<int, std::string>, std::string> new_names; // by dimension and name
-  std::map<int, std::set<std::string> > taken;                  // by dimension
+  std::set<std::string> of_elements = { "NALL", "EALL" }, of_nodes = { "NALL", "EALL", "CORNERS" };
   const auto take = [&](const int dimension, const std::string& name, const std::string& new_name)
   {
-    taken[dimension].insert({ "NALL", "EALL" });
-    if(taken[dimension].insert(internal::in_capitals(new_name)).second)
+    if((dimension == 3 ? of_elements : of_nodes).insert(internal::in_capitals(new_name)).second)
       new_names[{ dimension, name }] = new_name;
   };
-  for(const auto& [group, name] : group_names)
-    if(internal::INP_name(name) == name && new_names.count({ group.first, name }) == 0)
-      take(group.first, name, name);
+  for(const int dimension : { 3, 2, 1 })
+    for(const auto& [group, name] : group_names)
+      if(group.first == dimension && internal::INP_name(name) == name && new_names.count({ dimension, name }) == 0)
+        take(dimension, name, name);
   for(const auto& [group, name] : group_names)
     for(int i = 1; new_names.count({ group.first, name }) == 0; ++i)
       take(group.first, name, i == 1 ? internal::INP_name(name)
