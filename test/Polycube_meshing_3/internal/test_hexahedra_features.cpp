@@ -290,21 +290,31 @@ TEST_CASE("Hexahedra keep features of a body with sharp edges, although these ma
   CHECK(result.features.number_of_patches_kept == 5);
 }
 
-// A diagonal of the top makes an angle of 18 degrees with a side. Two hexahedra would have 9 degrees each there.
+// A diagonal of the top makes an angle of 18 degrees with a side. Two hexahedra would have 9 degrees each there. If a plate has a
+// second diagonal in its bottom, which begins at the other end of an edge, one hexahedron has both ends. The second ring is put
+// around its corner when the first one is there.
 TEST_CASE("One hexahedron has the small angle of a patch at a corner")
 {
-  const bool begins_at_corner = GENERATE(true, false); // or on a side?
-  Body body(4, 0, [](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1], p[2] }; });
-  Complex_with_diagonal::marked(body, 4, Vector3d(begins_at_corner ? 0 : 1, 0, 4));
+  struct Case
+  {
+    double height;
+    std::vector<Vector3d> first_points; // of diagonals
+    std::size_t number_of_corners, number_of_curves, number_of_patches;
+  };
+  const Case c = GENERATE(Case{ 4, { { 0, 0, 4 } }, 8, 13, 7 }, Case{ 4, { { 1, 0, 4 } }, 10, 15, 7 },
+                          Case{ 2, { { 0, 0, 4 }, { 0, 0, 0 } }, 8, 14, 8 });
+  Body body(4, 0, [&](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1], p[2] * c.height / 4 }; });
+  for(const Vector3d& first : c.first_points)
+    Complex_with_diagonal::marked(body, 4, first);
   body.soup.edge_references.assign(body.soup.edges.size(), 1);
   Hexahedron_soup_3 mesh;
   const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1.3, mesh);
   CAPTURE(result.message, result.minimum_scaled_jacobian);
   REQUIRE(result.status == VMP::OK);
   check_boundary(mesh, body);
-  CHECK(result.features.number_of_corners_kept == (begins_at_corner ? 8 : 10));
-  CHECK(result.features.number_of_curves_kept == (begins_at_corner ? 13 : 15));
-  CHECK(result.features.number_of_patches_kept == 7);
+  CHECK(result.features.number_of_corners_kept == c.number_of_corners);
+  CHECK(result.features.number_of_curves_kept == c.number_of_curves);
+  CHECK(result.features.number_of_patches_kept == c.number_of_patches);
   CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
 }
 
@@ -324,23 +334,6 @@ TEST_CASE("A curve is not kept by boxes at its vertices alone")
     const Vector3d d = vector(mesh.points[e[1]]) - vector(mesh.points[e[0]]);
     return std::abs(d[0]) > 1e-9 && std::abs(d[0] - d[1]) < 1e-9;
   }));
-}
-
-// Diagonals of the top and the bottom of a plate begin at the ends of one edge, and make angles of 18 degrees with sides there. As
-// a hexahedron has both ends, the second ring is put around its corner when the first one is there.
-TEST_CASE("One hexahedron each has the small angles at two neighboring corners")
-{
-  Body body(4, 0, [](const Vector3d& p) -> Vector3d { return { 3 * p[0], p[1], p[2] / 2 }; });
-  for(const double z : { 0., 4. })
-    Complex_with_diagonal::marked(body, 4, Vector3d(0, 0, z));
-  body.soup.edge_references.assign(body.soup.edges.size(), 1);
-  Hexahedron_soup_3 mesh;
-  const Hexahedral_mesh_result result = PM::make_hexahedral_mesh_3(body.soup, body.images, 1.3, mesh);
-  CAPTURE(result.message, result.minimum_scaled_jacobian);
-  REQUIRE(result.status == VMP::OK);
-  check_boundary(mesh, body);
-  CHECK(result.features.number_of_curves_kept == 14);
-  CHECK(result.minimum_scaled_jacobian > std::sin(std::atan(1 / 3.) / 2));
 }
 
 TEST_CASE("A sheet of hexahedra is cut across the whole mesh")

@@ -61,6 +61,25 @@ struct Sliding_hexahedra
   }
 };
 
+// Moves the vertices on the boundary by up to one unit along each axis.
+void tangle_boundary(Hexahedra_3& mesh, const unsigned seed)
+{
+  const std::vector<bool> is_outer = PM::internal::is_on_boundary(mesh);
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> noise(-1, 1);
+  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+    for(int axis = 0; axis < 3 && is_outer[v]; ++axis)
+      mesh.points[v][axis] += noise(engine);
+}
+
+// Turns the top of the cube [0, 4]^3 by 180 degrees. The corners of a single hexahedron have the scaled Jacobian 0.58 then.
+void twist_cube(Hexahedra_3& mesh)
+{
+  for(Coordinates_3& p : mesh.points)
+    if(p[2] == 4)
+      p = { 4 - p[0], 4 - p[1], 4 };
+}
+
 } // namespace
 
 TEST_CASE("Tangled hexahedra are untangled, and their boundary stays")
@@ -133,11 +152,7 @@ TEST_CASE("Tangled vertices on a sphere are untangled at once, although steps al
   const Body ball(8, 0, rounded);
   Hexahedra_3 mesh = Sliding_hexahedra::boxes(ball, 1);
   const std::vector<bool> is_outer = PM::internal::is_on_boundary(mesh);
-  std::mt19937 engine;
-  std::uniform_real_distribution<double> noise(-1, 1);
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
-    for(int axis = 0; axis < 3 && is_outer[v]; ++axis)
-      mesh.points[v][axis] += noise(engine);
+  tangle_boundary(mesh, std::mt19937::default_seed);
   Sliding_hexahedra sliding(ball, mesh);
   REQUIRE(PM::internal::evaluated_hexahedra(sliding.start, false).number_of_inverted_corners > 100);
   sliding.hexahedra.improve(1, true, Corners_to_improve::ALL);
@@ -270,22 +285,17 @@ TEST_CASE("Vertices of a hexahedron that is inverted inside alone leave their li
   REQUIRE(cube.number(PM::internal::Freedom_3::NONE) == 8);
   CHECK(!cube.hexahedra.leave_lines_and_interfaces(0));
   PM::internal::Placed_hexahedra_3 placed = cube.placed;
-  for(Coordinates_3& p : placed.mesh.points)
-    if(p[2] == 4) // a half turn
-      p = { 4 - p[0], 4 - p[1], 4 };
+  twist_cube(placed.mesh);
   REQUIRE(PM::internal::evaluated_hexahedra(placed.mesh, false).number_of_inverted_corners == 0);
   PM::internal::Sliding_hexahedra_3 twisted(placed, cube.linear_solver, false, cube.budget);
   CHECK(twisted.leave_lines_and_interfaces(0));
 }
 
-// The top of a cube is turned by 180 degrees. The corners of the hexahedron have the scaled Jacobian 0.58 then.
 TEST_CASE("A hexahedron that is inverted inside alone is untwisted, although its corners suffice")
 {
   Sliding_hexahedra cube(Body(4, 0, same), 4);
   PM::internal::Placed_hexahedra_3 placed = cube.placed;
-  for(Coordinates_3& p : placed.mesh.points)
-    if(p[2] == 4)
-      p = { 4 - p[0], 4 - p[1], 4 };
+  twist_cube(placed.mesh);
   PM::internal::Sliding_hexahedra_3 twisted(placed, cube.linear_solver, false, cube.budget);
   PM::internal::Best_hexahedra_3 best;
   PM::internal::Hexahedra_improvement_3(twisted, false, cube.budget, best).run();
@@ -327,16 +337,11 @@ TEST_CASE("All vertices move for the last inverted corner if it is the only one 
 {
   const Body ball(11, 0, rounded);
   const Hexahedra_3 start = Sliding_hexahedra::boxes(ball, 1);
-  const std::vector<bool> is_outer = PM::internal::is_on_boundary(start);
   int number_of_valid_balls = 0;
-  for(const unsigned seed : { 7, 9 })
+  for(const unsigned seed : { 7u, 9u })
   {
     Hexahedra_3 mesh = start;
-    std::mt19937 engine(seed);
-    std::uniform_real_distribution<double> noise(-1, 1);
-    for(std::size_t v = 0; v < mesh.points.size(); ++v)
-      for(int axis = 0; axis < 3 && is_outer[v]; ++axis)
-        mesh.points[v][axis] += noise(engine);
+    tangle_boundary(mesh, seed);
     Sliding_hexahedra sliding(ball, mesh);
     for(int i = 0; i < 3; ++i)
       sliding.hexahedra.improve(1, true, Corners_to_improve::ALL);
