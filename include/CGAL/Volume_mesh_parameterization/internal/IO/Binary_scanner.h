@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
 
@@ -181,8 +182,7 @@ private:
 
   std::size_t size_of_integer() const { return m_version == 4 ? 8 : 4; }
 
-  template <typename Read>
-  void read_elements(const std::size_t size_of_element, const Read& read)
+  void read_elements(const std::size_t size_of_element, const std::function<void()>& read)
   {
     const std::int64_t number = next_integer();
     if(number < 0 || static_cast<std::uint64_t>(number) > m_scanner.rest() / size_of_element)

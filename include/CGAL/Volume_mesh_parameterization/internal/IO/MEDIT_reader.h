@@ -16,6 +16,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/IO/require_tetrahedra.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/parallel.h>
 
+#include <functional>
 #include <optional>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -155,8 +156,7 @@ private:
   }
 
   // Calls `read_element(scanner)` for each element that this slice has of the sections with a keyword.
-  template <typename ReadElement>
-  void read_section(const std::size_t k, const ReadElement& read_element) const
+  void read_section(const std::size_t k, const std::function<void(Text_scanner&)>& read_element) const
   {
     std::size_t number = 0;
     std::optional<Text_scanner> scanner;

@@ -93,10 +93,7 @@ public:
   void add(const std::string& name, const std::size_t n, const Value& value, const std::size_t number_of_components = 1,
            const char* attributes = "")
   {
-    m_xml += std::string("<DataArray type=\"") + type_name(Number()) + "\" Name=\"" + XML_escaped(name) + "\"" + attributes;
-    if(number_of_components > 1) // one is the default; if it is written, meshio does not convert the array
-      m_xml += " NumberOfComponents=\"" + std::to_string(number_of_components) + "\"";
-    m_xml += " format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
+    declare_array(type_name(Number()), name, number_of_components, attributes);
     append(static_cast<std::uint64_t>(n * sizeof(Number)));
     for(std::size_t i = 0; i < n; ++i)
       append(static_cast<Number>(value(i)));
@@ -116,6 +113,14 @@ private:
   static const char* type_name(std::uint8_t) { return "UInt8"; }
   static const char* type_name(std::int32_t) { return "Int32"; }
   static const char* type_name(std::int64_t) { return "Int64"; }
+
+  void declare_array(const char* type, const std::string& name, const std::size_t number_of_components, const char* attributes)
+  {
+    m_xml += std::string("<DataArray type=\"") + type + "\" Name=\"" + XML_escaped(name) + "\"" + attributes;
+    if(number_of_components > 1) // one is the default; if it is written, meshio does not convert the array
+      m_xml += " NumberOfComponents=\"" + std::to_string(number_of_components) + "\"";
+    m_xml += " format=\"appended\" offset=\"" + std::to_string(m_data.size()) + "\"/>\n";
+  }
 
   template <typename Number>
   void append(const Number number) { m_data.append(reinterpret_cast<const char*>(&number), sizeof(number)); }

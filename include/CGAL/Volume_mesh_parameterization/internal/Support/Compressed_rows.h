@@ -61,6 +61,23 @@ struct Compressed_rows
     for_each_row_and_item([&](const int row, const Item item) { items[begin[row + 1]++] = item; });
     CGAL_assertion(begin[number_of_rows] == begin.back()); // both passes have found the same items in each row
   }
+
+  // Puts each item into one row.
+  Compressed_rows(const std::size_t number_of_rows, const std::vector<int>& rows_of, const bool is_parallel)
+    : Compressed_rows(number_of_rows, rows_of.size(), [&](const std::size_t i, const auto& f) { f(rows_of[i]); }, is_parallel) {}
+};
+
+// The order of pairs in a row, where the first vertices are the same: a type of its own, as a compiler takes long for each sort.
+struct Order_in_row
+{
+  template <typename Pair>
+  bool operator()(const Pair& p, const Pair& q) const
+  {
+    for(std::size_t i = 1; i < p.first.size(); ++i)
+      if(p.first[i] != q.first[i])
+        return p.first[i] < q.first[i];
+    return p.second < q.second;
+  }
 };
 
 // Sorts the n pairs `pair_of(i)`, and calls `f(begin, end)` for all that have the same first element, an array of vertices:
@@ -74,15 +91,7 @@ void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& 
   const std::vector<int> rows_of
     = values_of_indices(is_parallel, n, [&](const std::size_t i) { return static_cast<int>(pair_of(i).first[0]); });
   const int number_of_rows = n == 0 ? 0 : *std::max_element(rows_of.begin(), rows_of.end()) + 1;
-  const Compressed_rows<std::size_t> rows(number_of_rows, n, [&](const std::size_t i, const auto& g) { g(rows_of[i]); },
-                                          is_parallel);
-  const auto is_before = [](const Pair& p, const Pair& q) // of a row, where the first vertices are the same
-  {
-    for(std::size_t i = 1; i < p.first.size(); ++i)
-      if(p.first[i] != q.first[i])
-        return p.first[i] < q.first[i];
-    return p.second < q.second;
-  };
+  const Compressed_rows<std::size_t> rows(number_of_rows, rows_of, is_parallel);
   for_each_range(is_parallel, number_of_rows, rows_per_range, [&](std::size_t, const int first, const int last)
   {
     std::vector<Pair> pairs;
@@ -91,7 +100,7 @@ void for_each_group(const std::size_t n, const PairOf& pair_of, const Function& 
       pairs.clear();
       for(std::size_t k = rows.begin[row]; k < rows.begin[row + 1]; ++k)
         pairs.push_back(pair_of(rows.items[k]));
-      std::sort(pairs.begin(), pairs.end(), is_before);
+      std::sort(pairs.begin(), pairs.end(), Order_in_row());
       for(auto begin = pairs.begin(), end = begin; begin != pairs.end(); begin = end)
       {
         end = std::find_if(begin, pairs.end(), [&](const Pair& pair) { return pair.first != begin->first; });

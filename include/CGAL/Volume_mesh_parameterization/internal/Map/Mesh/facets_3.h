@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace CGAL::Volume_mesh_parameterization::internal {
@@ -38,21 +39,27 @@ std::array<Vertex, 3> sorted(const std::array<Vertex, 3>& facet)
   return { (std::min)(low, w), (std::max)(low, (std::min)(high, w)), (std::max)(high, w) };
 }
 
-// Calls `f(begin, end)` for each edge, with a pair for each of its facets: its vertices, the smaller first, and the corners
-// there, where corner k of facet i is 3 i + k.
-template <typename Vertex, typename Function>
-void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const Function& f)
+// An edge in one of its facets: its vertices, the smaller first, and its corners there, where corner k of facet i is 3 i + k.
+template <typename Vertex>
+struct Edge_in_facets
 {
-  for_each_group(3 * facets.size(), [&](const std::size_t corner)
+  using Pair = std::pair<std::array<Vertex, 2>, std::array<std::size_t, 2> >;
+  using Function = std::function<void(const Pair* begin, const Pair* end)>;
+};
+
+// Calls `f(begin, end)` for each edge, with a pair for each of its facets.
+template <typename Vertex>
+void for_each_edge(const std::vector<std::array<Vertex, 3> >& facets, const typename Edge_in_facets<Vertex>::Function& f)
+{
+  for_each_group(3 * facets.size(), [&](const std::size_t corner) -> typename Edge_in_facets<Vertex>::Pair
   {
     const std::array<Vertex, 3>& facet = facets[corner / 3];
     const std::size_t k = corner % 3, l = (k + 1) % 3;
     const std::size_t next = corner - k + l;
-    using Edge = std::array<Vertex, 2>;
-    using Corners = std::array<std::size_t, 2>;
-    return facet[k] < facet[l] ? std::make_pair(Edge{ facet[k], facet[l] }, Corners{ corner, next })
-                               : std::make_pair(Edge{ facet[l], facet[k] }, Corners{ next, corner });
-  }, f);
+    if(facet[k] < facet[l])
+      return {{ facet[k], facet[l] }, { corner, next }};
+    return {{ facet[l], facet[k] }, { next, corner }};
+  }, [&](const auto begin, const auto end) { f(&*begin, &*begin + (end - begin)); });
 }
 
 // The vertices of the facets of a cell, each opposite to one vertex; they turn counterclockwise as seen from outside.

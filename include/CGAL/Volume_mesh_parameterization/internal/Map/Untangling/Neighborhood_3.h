@@ -23,8 +23,7 @@ class Neighborhood_3
 public:
   // The free vertices of chosen cells, and of rings around them, are free. Where a process might have no memory for so
   // many cells, none is gathered, and nothing patched.
-  template <typename Condition>
-  Neighborhood_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Condition& is_chosen,
+  Neighborhood_3(const Numbered_mesh_3& whole, const Matrix3Xd& image, const Cell_condition_3& is_chosen,
                  const int number_of_rings)
     : m_whole(whole), m_image(image)
   {

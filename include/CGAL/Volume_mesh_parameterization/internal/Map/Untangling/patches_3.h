@@ -15,6 +15,7 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Mesh/Map_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Support/Disjoint_sets.h>
 
+#include <functional>
 #include <iterator>
 #include <map>
 #include <set>
@@ -45,10 +46,12 @@ std::vector<bool> free_vertices_of(const Numbered_mesh_3& mesh, const Condition&
   return marked_by_any(mesh, std::move(result));
 }
 
+// Whether a cell is chosen where its vertices are at some positions.
+using Cell_condition_3 = std::function<bool(const Matrix3Xd& positions, const std::array<int, 4>& cell)>;
+
 // The free vertices of chosen cells and of rings of cells around them.
-template <typename Condition>
-std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
-                                       const Condition& is_chosen, const int number_of_rings)
+inline std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Matrix3Xd& positions,
+                                              const Cell_condition_3& is_chosen, const int number_of_rings)
 {
   std::vector<bool> result = free_vertices_of(mesh, [&](const auto& cell) { return is_chosen(positions, cell); });
   for(int ring = 1; ring < number_of_rings; ++ring)
@@ -59,9 +62,8 @@ std::vector<bool> free_vertices_around(const Numbered_mesh_3& mesh, const Matrix
 
 // The cells for which `is_chosen` is true with rings of cells around them, whose free vertices move: one patch for each
 // connected part.
-template <typename Condition>
-std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Condition& is_chosen,
-                               const int number_of_rings)
+inline std::vector<Patch_3> patches_3(const Numbered_mesh_3& mesh, const Matrix3Xd& positions, const Cell_condition_3& is_chosen,
+                                      const int number_of_rings)
 {
   const std::vector<bool> is_moving = free_vertices_around(mesh, positions, is_chosen, number_of_rings);
   const auto moves = [&](const int v) { return bool(is_moving[v]); };

@@ -123,8 +123,7 @@ private:
 
   // Returns the images that `find()` does, and keeps them if they are the best. Images without inverted cells replace others
   // of that kind if there were steps, as those were flat.
-  template <typename Find>
-  Matrix3Xd keep_better(const std::string& method, const Find& find)
+  Matrix3Xd keep_better(const std::string& method, const std::function<Newton_result_3()>& find)
   {
     m_progress.begin_attempt(method);
     const std::size_t steps_before = m_progress.number_of_steps();
