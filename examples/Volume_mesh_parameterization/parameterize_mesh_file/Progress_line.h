@@ -17,8 +17,11 @@
 
 namespace VMP = CGAL::Volume_mesh_parameterization;
 
-// Exception that ends the program before there is a map.
-struct Interruption {};
+// Exception that ends the program before there is a map. The sentence says what is missing.
+struct Interruption
+{
+  std::string sentence = "There is no map yet.";
+};
 
 // Keeps one line of a terminal up to date, and ends each computation that it visits when the time since its construction is
 // over, or when the user (Ctrl-C, or a terminal that is closed) or the system (SIGTERM) asks to end. A second request ends

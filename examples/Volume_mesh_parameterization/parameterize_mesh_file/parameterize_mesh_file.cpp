@@ -242,9 +242,9 @@ Outcome run_and_catch(const Options& options, Progress_line& progress)
   {
     return run(options, progress);
   }
-  catch(const Interruption&)
+  catch(const Interruption& interruption)
   {
-    result.message = std::string(progress.reason()) + " There is no map yet.";
+    result.message = std::string(progress.reason()) + " " + interruption.sentence;
     return { NOT_FLIP_FREE, error_code_name(VMP::ERROR_INTERRUPTED), result };
   }
   catch(const std::bad_alloc&)

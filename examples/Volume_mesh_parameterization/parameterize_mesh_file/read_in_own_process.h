@@ -147,8 +147,8 @@ inline std::string note_of_large_number(const std::string& filename, const std::
   return largest > size_of_file ? "; the file contains the number " + std::to_string(largest) : "";
 }
 
-// Returns what comes from a pipe until it is closed.
-inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
+// Returns what comes from a pipe until it is closed, and throws an interruption if the time is over before.
+inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress, const Interruption& interruption)
 {
   constexpr int milliseconds = 50; // a guess; between two questions whether to go on
   constexpr std::size_t chunk = 1 << 16;
@@ -165,7 +165,7 @@ inline std::string bytes_of_pipe(const int pipe, const Progress_line& progress)
     if(size == 0)
       return bytes;
   }
-  throw Interruption();
+  throw interruption;
 }
 
 // A library did not finish in time. Another attempt would take as long.
@@ -196,7 +196,9 @@ read_in_own_process(const std::string& filename, const std::string& library, con
     read_and_exit(read, ends[1]);
   }
   close(ends[1]);
-  std::string bytes = bytes_of_pipe(ends[0], progress);
+  const std::string advice = makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged";
+  const Interruption in_mesher = { library + " has made no mesh yet. " + advice + "." };
+  std::string bytes = bytes_of_pipe(ends[0], progress, makes_mesh ? in_mesher : Interruption());
   close(ends[0]);
   const int status = child.status();
   if(WIFEXITED(status) && WEXITSTATUS(status) == MESH_READ)
@@ -207,8 +209,7 @@ read_in_own_process(const std::string& filename, const std::string& library, con
     throw VMP::Input_error(library + " ran out of memory on a file of " + std::to_string(size) + " bytes"
                            + note_of_large_number(filename, size));
   if(WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw Out_of_time(library + " did not finish within " + std::to_string(seconds) + " s of processor time. "
-                           + (makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged"));
+    throw Out_of_time(library + " did not finish within " + std::to_string(seconds) + " s of processor time. " + advice);
   throw VMP::Input_error(library + " crashed"
                          + (WIFSIGNALED(status) ? std::string(" (") + strsignal(WTERMSIG(status)) + ")" : std::string())
                          + "; the file may be damaged"

@@ -209,13 +209,13 @@ inline std::string note_of_sheets()
     + " left out. If a solid is missing, close the gaps between its faces in a CAD program";
 }
 
-// Returns the number of faces that go around half of a cylinder or more, or of a sphere, with a smaller diameter than the cells.
-// These are faces of thin bores, pins and small voids.
-inline std::size_t number_of_thin_faces(const double cell_size)
+// Returns the diameters, smaller than the cells, of faces that go around half of a cylinder or more, or of a sphere. These are
+// faces of thin bores, pins and small voids.
+inline std::vector<double> diameters_of_thin_faces(const double cell_size)
 {
   gmsh::vectorpair faces;
   gmsh::model::getEntities(faces, 2);
-  std::size_t result = 0;
+  std::vector<double> result;
   for(const auto& [dimension, face] : faces)
   {
     std::string type;
@@ -226,7 +226,8 @@ inline std::size_t number_of_thin_faces(const double cell_size)
     gmsh::model::getParametrizationBounds(dimension, face, begin, end); // the first parameter is the angle
     gmsh::model::getCurvature(dimension, face, { (begin[0] + end[0]) / 2, (begin[1] + end[1]) / 2 }, curvature);
     constexpr double half_turn = 0.99 * CGAL_PI; // up to rounding
-    result += end[0] - begin[0] > half_turn && std::abs(curvature[0]) * cell_size > 2;
+    if(end[0] - begin[0] > half_turn && std::abs(curvature[0]) * cell_size > 2)
+      result.push_back(2 / std::abs(curvature[0]));
   }
   return result;
 }
@@ -238,8 +239,9 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
   std::array<double, 3> low, high;
   gmsh::model::getBoundingBox(-1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
   const double diagonal = (to_vector(high) - to_vector(low)).norm();
-  double size, edges_of_script;
+  double size, smallest_size, edges_of_script;
   gmsh::option::getNumber("Mesh.MeshSizeMax", size);
+  gmsh::option::getNumber("Mesh.MeshSizeMin", smallest_size);
   gmsh::option::getNumber("Mesh.MeshSizeFromCurvature", edges_of_script);
   if(size > diagonal)
     size = diagonal / 20;
@@ -253,14 +255,17 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
     gmsh::option::setNumber("Mesh.Algorithm", MeshAdapt);
   gmsh::option::setNumber("Mesh.MeshSizeMax", size);
   std::string note;
-  const std::size_t number = number_of_thin_faces(size);
-  if(edges_of_script == 0 && !is_last && (number > 0 || attempt.is_second()))
+  const std::vector<double> thin = diameters_of_thin_faces(size);
+  if(edges_of_script == 0 && !is_last && (!thin.empty() || attempt.is_second()))
   {
     // guesses; four charts of a polycube around a bore need two edges each, and with more, triangles of faces nearby do not cross
     const int number_of_edges = attempt.is_second() ? 24 : 8;
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", number_of_edges);
-    if(number > 0)
-      note = counted(number, "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. ";
+    // elsewhere, as at tiny fillets and where a spline folds, curvature asks for cells without end
+    const double smallest = thin.empty() ? size : *std::min_element(thin.begin(), thin.end());
+    gmsh::option::setNumber("Mesh.MeshSizeMin", (std::max)(smallest_size, CGAL_PI * smallest / number_of_edges));
+    if(!thin.empty())
+      note = counted(thin.size(), "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. ";
     note += "Cells are smaller at curved faces, with " + std::to_string(number_of_edges) + " edges around a circle";
   }
   gmsh::model::mesh::generate(3);
