@@ -280,8 +280,14 @@ TEST_CASE("borders of charts are drawn on a surface as those of the voxels")
   const Polycube_of_voxels_3 polycube = polycube_of_voxels_3(voxels, fine, Budget());
   CHECK(polycube.charts.labels().size() >= 10); // of a ring along the axes
   CHECK(polycube.charts.labels().size() <= 12);
-  const double length = GENERATE(0.05, 0.2);
-  Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, length, Budget());
+  Lengths_at_chains_3 lengths(polycube);
+  const bool are_short = GENERATE(false, true);
+  if(are_short)
+  {
+    CHECK(lengths.halve({}, 0.1)); // twice the size of voxels at first
+    CHECK(!lengths.halve({}, 0.1));
+  }
+  Drawn_polycube_3 drawn = draw_polycube_3(polycube, given, lengths, Budget());
   REQUIRE(drawn.chart_of_facet.size() == drawn.surface.mesh.number_of_faces());
   for(const bool has_splits : {false, true})
   {

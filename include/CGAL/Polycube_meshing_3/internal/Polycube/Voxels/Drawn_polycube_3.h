@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
@@ -117,30 +118,70 @@ struct Polycube_of_voxels_3
   Polycube_of_voxels_3(const Polycube_of_voxels_3&) = delete; // the charts refer to the mesh
 };
 
+// Lengths of the edges of a surface near the chains of a polycube: at first twice the size of voxels. They become shorter only near
+// chains that cannot be drawn or mapped, as short edges multiply the cells of the body.
+class Lengths_at_chains_3
+{
+public:
+  explicit Lengths_at_chains_3(const Polycube_of_voxels_3& polycube)
+    : m_nearest(0), m_lengths(polycube.charts.chains().size(), 2 * polycube.size_of_voxels) // by distance alone, a guess
+  {
+    for(std::size_t i = 0; i < m_lengths.size(); ++i)
+      for(const auto v : polycube.charts.vertices(polycube.charts.chains()[i]))
+      {
+        m_points.push_back(polycube.faces.point(v));
+        m_chain_of_point.push_back(i);
+        m_nearest.add(m_points.back(), Vector_3::Zero());
+      }
+  }
+
+  // Returns the number of the chain that is nearest to a point.
+  std::size_t nearest_chain(const Vector_3& p) const { return m_chain_of_point[m_nearest.nearest(p, Vector_3::Zero())]; }
+
+  // Returns the length of edges at a point: that of the nearest chain, or the distance from it.
+  double operator()(const Vector_3& p) const
+  {
+    const std::size_t i = m_nearest.nearest(p, Vector_3::Zero());
+    return (std::max)(m_lengths[m_chain_of_point[i]], (m_points[i] - p).norm());
+  }
+
+  // Halves the lengths at some chains, or at all if none is given, unless they are the least one. Returns whether one has changed.
+  bool halve(const std::set<std::size_t>& chains, const double least)
+  {
+    bool has_changed = false;
+    for(std::size_t i = 0; i < m_lengths.size(); ++i)
+      if(m_lengths[i] > least && (chains.empty() || chains.count(i) > 0))
+      {
+        m_lengths[i] /= 2;
+        has_changed = true;
+      }
+    return has_changed;
+  }
+
+private:
+  Nearest_with_normal_3 m_nearest;
+  std::vector<double> m_lengths; // by chain
+  std::vector<Vector_3> m_points;
+  std::vector<std::size_t> m_chain_of_point;
+};
+
 // Surface with the charts of a polycube.
 struct Drawn_polycube_3
 {
   Unit_surface_3 surface;
   std::vector<std::size_t> chart_of_facet = {}; // none if the charts cannot be drawn
+  std::set<std::size_t> blocked_chains = {};    // by others, in some order of the chains
 };
 
-// Draws the charts on a surface. Its edges are split to the length near chains, and to the distance from chains elsewhere.
-inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface, const double length,
-                                        const Budget& budget)
+// Draws the charts on a surface, whose edges are split first.
+inline Drawn_polycube_3 draw_polycube_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface,
+                                        const Lengths_at_chains_3& lengths, const Budget& budget)
 {
-  std::vector<Vector_3> points;
-  Nearest_with_normal_3 nearest(0); // by distance alone: normals have no weight
-  for(const Polycube_chain_3& chain : polycube.charts.chains())
-    for(const auto v : polycube.charts.vertices(chain))
-    {
-      points.push_back(polycube.faces.point(v));
-      nearest.add(points.back(), Vector_3::Zero());
-    }
   Drawn_polycube_3 result = { surface };
-  split_long_edges_3([&](const Vector_3& p)
-                     { return (std::max)(length, (points[nearest.nearest(p, Vector_3::Zero())] - p).norm()); }, result.surface);
-  result.chart_of_facet
-    = Routed_charts_3(result.surface, polycube.faces, polycube.charts, polycube.size_of_voxels).run(budget);
+  split_long_edges_3(lengths, result.surface);
+  Routed_charts_3 charts(result.surface, polycube.faces, polycube.charts, polycube.size_of_voxels);
+  result.chart_of_facet = charts.run(budget);
+  result.blocked_chains = charts.blocked_chains();
   return result;
 }
 

@@ -193,10 +193,14 @@ public:
       const auto blocked = route(order);
       if(blocked == order.end())
         return charts_between_paths();
+      m_blocked_chains.insert(*blocked);
       std::rotate(order.begin(), blocked, blocked + 1); // the blocked chain comes first
     }
     return {};
   }
+
+  // Returns the chains that others have blocked in some attempt.
+  const std::set<std::size_t>& blocked_chains() const { return m_blocked_chains; }
 
 private:
   static constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
@@ -294,6 +298,7 @@ private:
   std::vector<std::vector<std::size_t> > m_paths; // vertices of the surface, for each chain
   Vertices_of_corners_3 m_corners;
   std::map<Boundary_mesh_3::Halfedge_index, Boundary_mesh_3::Halfedge_index> m_first_halfedges;
+  std::set<std::size_t> m_blocked_chains;
   std::vector<bool> m_is_used; // by vertex: on a path, or where paths begin and end
 };
 

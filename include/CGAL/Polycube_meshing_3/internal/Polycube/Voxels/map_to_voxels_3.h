@@ -97,8 +97,10 @@ inline Polycube_of_voxels_3 polycube_of_voxels_3(const Voxels_3& given, const Un
 }
 
 // Maps a surface with the charts of a polycube that are drawn on it. Relaxes the charts first, and splits edges that lead through
-// charts between their borders.
-inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn, const Budget& budget)
+// charts between their borders. If that fails, calls `visit(p)` for the center p of each flipped facet.
+template <typename Function>
+Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, Drawn_polycube_3 drawn, const Budget& budget,
+                                   const Function& visit)
 {
   constexpr double gap = 0.3; // between planes, in voxels; a guess
   const Unit_surface_3& surface = drawn.surface;
@@ -108,8 +110,9 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
   for(const std::size_t c : drawn.chart_of_facet)
     labels.push_back(polycube.charts.labels()[c]);
   const double size = surface.box.diagonal().maxCoeff();
+  const Facets_3 facets(surface.mesh);
   const std::vector<double> coordinates
-    = coordinates_of_voxel_charts_3(Facets_3(surface.mesh), drawn.chart_of_facet, polycube.charts.labels(),
+    = coordinates_of_voxel_charts_3(facets, drawn.chart_of_facet, polycube.charts.labels(),
                                     polycube.plane_of_chart, gap * polycube.size_of_voxels,
                                     { -surface.box.center() / size, surface.spacing / size });
   Polycube_map_3 map(surface, labels);
@@ -118,28 +121,36 @@ inline Surface_map_3 map_drawn_polycube_3(const Polycube_of_voxels_3& polycube, 
     return {};
   for(std::size_t f = 0; f < labels.size(); ++f)
     coordinates_in_map[map.charts().chart_of_face()[f]] = coordinates[drawn.chart_of_facet[f]];
-  if(map.start_at(coordinates_in_map, budget) != OK)
-    return {};
-  Surface_map_3 result = finished_map_3(map, budget);
+  const Error_code status = map.start_at(coordinates_in_map, budget);
+  Surface_map_3 result = status == OK ? finished_map_3(map, budget) : Surface_map_3{ status };
+  if(result.status != OK)
+    for(const auto f : map.flipped_faces())
+      visit(facets.centers[f]);
   result.splits = std::move(drawn.surface.splits);
   return result;
 }
 
-// Maps a surface to a polycube of voxels. If the charts cannot be drawn or mapped, edges near their borders become shorter. The
-// shortest edges, which multiply the cells of the body, are made only if they are allowed.
+// Maps a surface to a polycube of voxels. Where the charts cannot be drawn or mapped, edges near their borders become shorter. The
+// shortest edges are made only if they are allowed.
 inline Surface_map_3 map_to_polycube_of_voxels_3(const Polycube_of_voxels_3& polycube, const Unit_surface_3& surface,
                                                  const bool may_have_shortest_edges, const Budget& budget)
 {
-  constexpr std::array<double, 3> lengths_of_edges = { 1, 0.5, 0.25 }; // in voxels; guesses
-  for(std::size_t i = 0; i < (may_have_shortest_edges ? 3 : 2); ++i)
+  const double least = (may_have_shortest_edges ? 0.25 : 0.5) * polycube.size_of_voxels; // guesses
+  Lengths_at_chains_3 lengths(polycube);
+  Surface_map_3 map;
+  std::set<std::size_t> chains; // that cannot be drawn or mapped
+  do
   {
-    Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, lengths_of_edges[i] * polycube.size_of_voxels, budget);
+    Drawn_polycube_3 drawn = draw_polycube_3(polycube, surface, lengths, budget);
+    chains = std::move(drawn.blocked_chains);
     if(drawn.chart_of_facet.empty())
       continue;
-    if(Surface_map_3 map = map_drawn_polycube_3(polycube, std::move(drawn), budget); map.status == OK)
-      return map;
+    chains.clear();
+    map = map_drawn_polycube_3(polycube, std::move(drawn), budget,
+                               [&](const Vector_3& p) { chains.insert(lengths.nearest_chain(p)); });
   }
-  return {};
+  while(map.status != OK && lengths.halve(chains, least) && !budget.is_exhausted());
+  return map;
 }
 
 // Maps a surface to the cheapest of some polycubes of voxels. The voxels are finer and finer, each size at several places.
