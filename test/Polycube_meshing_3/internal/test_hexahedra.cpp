@@ -160,6 +160,7 @@ TEST_CASE("Whenever the search for hexahedra is ended, there are none, or valid 
       {
         CHECK(smallest_determinant(mesh) > 0);
         CHECK(result.number_of_cells == mesh.cells.size());
+        CHECK(result.message.find("Success") == std::string::npos);
         const bool has_all = PM::internal::number_of_kept(result.features) == PM::internal::number_of_features(result.features);
         CHECK(has_all == (result.message.find(" curves and ") == std::string::npos));
         number_without_all_features += !has_all;

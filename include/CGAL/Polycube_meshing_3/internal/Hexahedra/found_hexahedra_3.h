@@ -227,7 +227,8 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
     + std::string(result.has_valid_mesh ? " The hexahedra are valid, but more time may give better ones."
                                         : " There are no valid hexahedra yet. Allow more time.");
   result.message = !is_only_fault ? result.message + " " + sentences
-                 : result.has_valid_mesh ? sentences + result.message : sentences;
+                 : result.has_valid_mesh ? sentences + result.message.substr(std::string(get_error_message(OK)).size())
+                 : sentences;
   if(is_only_fault)
     result.status = ERROR_INTERRUPTED;
   return found;

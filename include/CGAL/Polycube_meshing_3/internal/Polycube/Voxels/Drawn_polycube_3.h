@@ -118,8 +118,8 @@ struct Polycube_of_voxels_3
   Polycube_of_voxels_3(const Polycube_of_voxels_3&) = delete; // the charts refer to the mesh
 };
 
-// Lengths of the edges of a surface near the chains of a polycube: at first twice the size of voxels. They become shorter only near
-// chains that cannot be drawn or mapped, as short edges multiply the cells of the body.
+// Lengths of the edges of a surface near the chains of a polycube: at first twice the size of voxels. They become shorter near
+// chains that cannot be drawn or mapped, and only there, as short edges multiply the cells of the body.
 class Lengths_at_chains_3
 {
 public:
