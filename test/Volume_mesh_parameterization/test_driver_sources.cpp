@@ -311,7 +311,7 @@ TEST_CASE("Gmsh fills the body of a script or of a closed surface with tetrahedr
   CHECK(folder.text("stderr").find("cylinders and spheres have a smaller diameter than the cells.") != std::string::npos);
   folder.write("fillet.geo", head + "Box(1) = {0, 0, 0, 2, 2, 2};\nFillet{1}{12}{0.003}\nCylinder(2) = {1, 1, -1, 0, 0, 4, 0.1};\n"
                              "BooleanDifference(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };\n");
-  CHECK(folder.run("fillet.geo --cells 0.5 --to polycube --max-iterations 0 --tetrahedra fillet.mesh") == 0);
+  CHECK(folder.run("fillet.geo --cells 0.5 --to polycube --tetrahedra fillet.mesh") == 0);
   CHECK(folder.soup("fillet.mesh").cells.size() < 10000); // 66,885 if edges around the bore are asked for at the fillet, too
   CHECK(folder.run("fillet.geo --cells 0.01 --to ball --time-limit 0.5") == 3);
   CHECK(folder.text("stderr") == "The time limit was reached. Gmsh has made no mesh yet. Larger cells (--cells) need less "
