@@ -49,13 +49,17 @@ inline void add_interfaces_and_references(const Body_with_domain_3& body, Body_i
 
 constexpr double largest_volume_deviation = 0.02; // of a subdomain, relative to its volume, that is no error; a guess
 
+// Returns the message of a result whose status is OK without the text for OK.
+inline std::string sentences_after_success(const Hexahedral_mesh_result& result)
+{ return result.message.substr(std::string(get_error_message(OK)).size()); }
+
 // Makes the result an error for hexahedra that deviate from the body. The sentences, which name the place, follow those on earlier
 // deviations, or else precede the old message, of which the text for OK is removed.
 inline void add_deviation(const std::string& sentences, Hexahedral_mesh_result& result)
 {
   const std::string error = get_error_message(ERROR_INCOMPLETE_HEXAHEDRA);
   result.message = result.status == ERROR_INCOMPLETE_HEXAHEDRA ? result.message + sentences
-                 : result.status == OK ? error + sentences + result.message.substr(std::string(get_error_message(OK)).size())
+                 : result.status == OK ? error + sentences + sentences_after_success(result)
                                        : error + sentences + " " + result.message;
   result.status = ERROR_INCOMPLETE_HEXAHEDRA;
 }
@@ -227,7 +231,7 @@ inline Found_hexahedra_3 found_hexahedra_3(const Hexahedra_problem_3& problem, c
     + std::string(result.has_valid_mesh ? " The hexahedra are valid, but more time may give better ones."
                                         : " There are no valid hexahedra yet. Allow more time.");
   result.message = !is_only_fault ? result.message + " " + sentences
-                 : result.has_valid_mesh ? sentences + result.message.substr(std::string(get_error_message(OK)).size())
+                 : result.has_valid_mesh ? sentences + sentences_after_success(result)
                  : sentences;
   if(is_only_fault)
     result.status = ERROR_INTERRUPTED;
