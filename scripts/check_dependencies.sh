@@ -21,13 +21,12 @@ package_of()
     IO/polygon_soup_io.h) echo Stream_support ;;
     Intersections_3/*) echo Intersections_3 ;;
     Rational_traits.h | number_utils.h) echo Algebraic_foundations ;;
-    Exact_integer.h | Exact_rational.h | Gmpzf.h | MP_Float.h) echo Number_types ;;
+    Exact_integer.h | Exact_rational.h) echo Number_types ;;
     Bbox_3.h | Exact_predicates_inexact_constructions_kernel.h | determinant.h) echo Kernel_23 ;;
     property_map.h) echo Property_map ;;
     boost/graph/*) echo BGL ;;
     Eigen_solver_traits.h) echo Solver_interface ;;
     Polygon_2_algorithms.h) echo Polygon ;;
-    QP_functions.h | QP_models.h) echo QP_solver ;;
     Random.h) echo Random_numbers ;;
     Real_timer.h) echo Profiling_tools ;;
     Simple_cartesian.h) echo Cartesian_kernel ;;

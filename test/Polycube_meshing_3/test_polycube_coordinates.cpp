@@ -30,6 +30,55 @@ TEST_CASE("coordinates are the closest ones to means that keep their order and a
     CHECK(coordinates->values[i] == Approx(expected[i]).margin(1e-12));
 }
 
+TEST_CASE("values in random orders are those of Hildreth's method, and areas of very different size do not matter")
+{
+  using namespace PM::internal;
+  std::mt19937 random(3);
+  const auto number = [&](const double least, const double largest)
+  { return std::uniform_real_distribution<double>(least, largest)(random); };
+  for(int i = 0; i < 200; ++i)
+  {
+    const std::size_t n = 2 + random() % 12;
+    const double largest_exponent = i % 2 == 0 ? 0.5 : 8; // of weights; Hildreth's method does not end with the latter
+    std::vector<double> weights, wanted;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      weights.push_back(std::pow(10, number(0, largest_exponent)));
+      wanted.push_back(number(0, 5));
+    }
+    std::vector<Order_of_coordinates> orders;
+    for(std::size_t k = 0; k < 2 * n; ++k)
+    {
+      const std::size_t first = random() % n, second = random() % n;
+      if(first < second)
+        orders.push_back({first, second, number(0, 1)});
+    }
+    const auto [bases, offsets] = Closest_ordered_values(weights, wanted, orders).run();
+    std::vector<double> x = wanted, multipliers(orders.size(), 0), gradient(n, 0);
+    for(int sweep = 0; sweep < 20000 && i % 2 == 0; ++sweep)
+      for(std::size_t k = 0; k < orders.size(); ++k)
+      {
+        const auto& [first, second, distance] = orders[k];
+        const double compliance = 1 / weights[first] + 1 / weights[second];
+        const double step = (std::max)(-multipliers[k], (distance - x[second] + x[first]) / compliance);
+        multipliers[k] += step;
+        x[first] -= step / weights[first];
+        x[second] += step / weights[second];
+      }
+    double moment = 0, size = 0;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      if(i % 2 == 0)
+        CHECK(bases[k] + offsets[k] == Approx(x[k]).margin(1e-9));
+      moment += weights[k] * (bases[k] + offsets[k] - wanted[k]);
+      size += weights[k];
+    }
+    CHECK(std::abs(moment) < 1e-10 * size); // as moving all values by the same distance costs nothing in the least sum
+    for(const auto& [first, second, distance] : orders)
+      CHECK(bases[second] + offsets[second] - bases[first] - offsets[first] > distance - 1e-11);
+  }
+}
+
 TEST_CASE("coordinates are one plane apart, whatever the length of the spacing is")
 {
   using namespace PM::internal;

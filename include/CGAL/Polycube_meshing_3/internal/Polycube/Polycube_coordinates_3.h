@@ -58,9 +58,8 @@ inline bool are_nested(std::vector<Boundary_polygon_2> polygons)
 
 // Finds the coordinates of the planes of a polycube, along their axes, that minimize
 //   sum over planes p of area(p) (x(p) - wanted coordinate of p)^2
-// such that each edge of the polycube has at least a part of the length of its chain. Each axis has a small quadratic program of
-// its own. Edges of a face that intersect then get the order that their chains have on the surface, too, if the other orders
-// allow this.
+// such that each edge of the polycube has at least a part of the length of its chain. Each axis has a quadratic program. Edges of
+// a face that intersect then get the order that their chains have on the surface, too, if the other orders allow this.
 class Polycube_coordinates_3
 {
 public:

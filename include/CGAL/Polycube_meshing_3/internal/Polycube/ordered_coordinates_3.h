@@ -12,33 +12,17 @@
 
 #include <CGAL/license/Polycube_meshing_3.h>
 
+#include <CGAL/Polycube_meshing_3/internal/Polycube/Closest_ordered_values.h>
 #include <CGAL/Polycube_meshing_3/internal/basic.h>
-
-#include <CGAL/QP_functions.h>
-#include <CGAL/QP_models.h>
-#ifdef CGAL_USE_GMP
-#  include <CGAL/Gmpzf.h>
-#else
-#  include <CGAL/MP_Float.h>
-#endif
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <map>
-#include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Polycube_meshing_3::internal {
-
-// Number type of quadratic programs. The solver does not need quotients, and exact rational numbers take longer by far.
-#ifdef CGAL_USE_GMP
-using Program_number = Gmpzf;
-#else
-using Program_number = MP_Float;
-#endif
 
 // Planes origin + k spacing along each axis, for all integers k; any plane if the spacing is 0. If the grid may move, its origin
 // is changed such that the planes are as close to given faces as possible.
@@ -77,22 +61,6 @@ private:
   std::vector<std::vector<bool> > m_precedes;
 };
 
-// Order of two coordinates: the second one must be larger than the first one by the distance.
-struct Order_of_coordinates
-{
-  std::size_t first, second;
-  double distance;
-};
-
-// Returns floor(x + 1/2).
-template <typename NT>
-double nearest_integer(const NT& x)
-{
-  const NT y = x + NT(1) / NT(2);
-  const double floor = std::floor(CGAL::to_double(y)); // up to the rounding of y
-  return (y < NT(floor)) ? floor - 1 : (NT(floor + 1) <= y) ? floor + 1 : floor;
-}
-
 // Returns the shift, between -1/2 and 1/2, of the integers with the least weighted mean of (x(i) - nearest shifted integer)^2. Of
 // shifts that are about as good, the one whose nearest integers extend farthest is taken, whichever way the axis points.
 inline double closest_shift_of_integers(const std::vector<double>& weights, const std::vector<double>& x)
@@ -121,19 +89,16 @@ inline double closest_shift_of_integers(const std::vector<double>& weights, cons
   return result - std::round(result);
 }
 
-// Distances by which coordinates must at least be larger than others, by the numbers of the smaller and the larger one.
-using Least_distances = std::map<std::pair<std::size_t, std::size_t>, double>;
-
-// Raises coordinates until all are as far apart as they must be. Returns whether this is possible.
-inline bool move_into_order(const Least_distances& distances, std::vector<double>& x)
+// Raises coordinates until all are in the orders. Returns whether this is possible.
+inline bool move_into_order(const std::vector<Order_of_coordinates>& orders, std::vector<double>& x)
 {
   for(std::size_t round = 0; round <= x.size(); ++round)
   {
     bool has_changed = false;
-    for(const auto& [pair, distance] : distances)
-      if(const double least = x[pair.first] + distance; x[pair.second] < least)
+    for(const auto& [first, second, distance] : orders)
+      if(const double least = x[first] + distance; x[second] < least)
       {
-        x[pair.second] = least;
+        x[second] = least;
         has_changed = true;
       }
     if(!has_changed)
@@ -149,61 +114,38 @@ struct Ordered_coordinates
   double origin;
 };
 
-// Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders, by
-// exact quadratic programming; none if the orders contradict each other.
-//
-// The unknowns are differences from coordinates in these orders, as the solver takes far longer if it must find such ones first.
+// Returns the coordinates along an axis that minimize the sum of area(i) (x(i) - moment(i) / area(i))^2 in the given orders; none
+// if the orders contradict each other.
 //
 // Rounds distances up to multiples of the spacing, if there is one, and the solution to the planes of the grid. Moves the grid
-// before, if it may move. As floor(x + 1/2) is monotone and commutes with adding integers, rounding keeps all distances.
+// before, if it may move. Coordinates that are joined by distances are rounded together.
 inline std::optional<Ordered_coordinates>
 ordered_coordinates_3(const std::vector<double>& areas, const std::vector<double>& moments,
-                      const std::vector<Order_of_coordinates>& orders, const Plane_grid_3& grid, const int axis)
+                      std::vector<Order_of_coordinates> orders, const Plane_grid_3& grid, const int axis)
 {
+  constexpr double rounding = 1e-9; // does not decide to which of two planes a coordinate in their middle is moved
   const bool has_planes = grid.spacing > 0;
   const double scale = has_planes ? grid.spacing : 1, origin = has_planes ? grid.origin[axis] : 0;
-  Least_distances distances;
-  for(const auto& [first, second, distance] : orders)
-  {
-    if(first == second)
-      return std::nullopt;
-    double& largest = distances.emplace(std::pair(first, second), 0).first->second;
-    largest = (std::max)(largest, has_planes ? std::ceil(distance / scale) : distance);
-  }
+  for(Order_of_coordinates& order : orders)
+    order.distance = has_planes ? std::ceil(order.distance / scale) : order.distance;
   std::vector<double> wanted;
   for(std::size_t i = 0; i < areas.size(); ++i)
     wanted.push_back((moments[i] / areas[i] - origin) / scale);
-  std::vector<double> start = wanted;
-  if(has_planes) // so that differences are exact
-    std::transform(start.begin(), start.end(), start.begin(), [](const double x) { return std::round(x); });
-  if(!move_into_order(distances, start))
+  std::vector<double> x = wanted;
+  if(!move_into_order(orders, x))
     return std::nullopt;
-  Quadratic_program<double> program(LARGER, false, 0, false, 0);
-  for(std::size_t i = 0; i < areas.size(); ++i)
-  {
-    const int variable = static_cast<int>(i);
-    program.set_d(variable, variable, 2 * areas[i]);
-    program.set_c(variable, 2 * areas[i] * (start[i] - wanted[i]));
-  }
-  int row = 0;
-  for(const auto& [pair, distance] : distances)
-  {
-    program.set_a(static_cast<int>(pair.first), row, -1);
-    program.set_a(static_cast<int>(pair.second), row, 1);
-    program.set_b(row++, (std::min)(distance - (start[pair.second] - start[pair.first]), 0.));
-  }
-  const auto solution = solve_quadratic_program(program, Program_number());
-  if(solution.is_infeasible())
-    return std::nullopt;
-  std::vector<double> x;
-  for(auto it = solution.variable_values_begin(); x.size() < areas.size(); ++it)
-    x.push_back(start[x.size()] + CGAL::to_double(*it));
-  if(!has_planes)
-    return Ordered_coordinates{ x, origin };
-  const double shift = grid.may_move ? closest_shift_of_integers(areas, x) : 0;
-  Ordered_coordinates result = { {}, origin + scale * shift };
-  for(auto it = solution.variable_values_begin(); result.values.size() < areas.size(); ++it)
-    result.values.push_back(result.origin + scale * (start[result.values.size()] + nearest_integer(*it - Program_number(shift))));
+  const auto [bases, offsets] = Closest_ordered_values(areas, wanted, orders).run();
+  for(std::size_t i = 0; i < x.size(); ++i)
+    x[i] = bases[i] + offsets[i];
+  const double shift = has_planes && grid.may_move ? closest_shift_of_integers(areas, x) : 0;
+  if(has_planes)
+    for(std::size_t i = 0; i < x.size(); ++i)
+      x[i] = std::floor(bases[i] - shift + 0.5 + rounding) + offsets[i];
+  move_into_order(orders, x); // where orders hold up to rounding only
+  Ordered_coordinates result = { x, origin + scale * shift };
+  if(has_planes)
+    for(double& value : result.values)
+      value = result.origin + scale * value;
   return result;
 }
 
