@@ -157,7 +157,7 @@ inline Surface_map_3 map_to_polycube_of_voxels_3(const Polycube_of_voxels_3& pol
 inline Surface_map_3 map_to_voxels_3(const Unit_surface_3& surface, const Budget& budget)
 {
   constexpr int maximum_number_of_maps = 4, maximum_number_of_sizes = 3; // of sizes with maps; guesses, as all these numbers
-  constexpr std::array<int, 14> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48 }; // of voxels, along the body
+  constexpr std::array<int, 15> numbers = { 8, 10, 12, 14, 16, 18, 20, 22, 24, 28, 32, 36, 40, 48, 64 }; // voxels along the body
   constexpr std::array<double, 6> least_parts = { 0.5, 0.4, 0.6, 0.5, 0.3, 0.5 }; // of voxels inside, for each place of the grid
   const int characteristic = 2 - 2 * number_of_handles(surface.mesh);
   std::mt19937 random; // of a fixed seed
