@@ -588,6 +588,7 @@ TEST_CASE("The message and the result name a feature without room in the hexahed
   CHECK(result.features.number_of_corners_kept < result.features.number_of_corners);
   REQUIRE(!result.features.curves_given_up.empty());
   CHECK(result.message.find(" curves and ") != std::string::npos);
+  CHECK(result.message.find(" make the spacing smaller, such as 6.") != std::string::npos);
 }
 
 // A line across the top, next to the diagonal, ends at a distance of 1 from two corners.

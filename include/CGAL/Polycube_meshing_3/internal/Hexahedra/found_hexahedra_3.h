@@ -205,7 +205,7 @@ inline void complete_valid(const Hexahedra_problem_3& problem, const Body_with_d
     result.message += advice_3(body, mesh);
   check_completeness(body, farthest, best.edge, problem.spacing, best.staircases, result);
   check_interfaces(mesh, found.mesh.interface_facets, interfaces, best.staircases, result);
-  result.message += sentence_on_features(result.features);
+  result.message += sentence_on_features(result.features, problem.spacing);
   result.corners_given_up = corners_given_up_3(body, mesh);
   if(!result.corners_given_up.empty())
     result.message += sentence(" Of ", body.surface.corners().size(), " marked corners, ", result.corners_given_up.size(),

@@ -101,9 +101,10 @@ inline std::size_t number_of_kept(const Hexahedral_mesh_features& features)
 inline std::size_t number_of_features(const Hexahedral_mesh_features& features)
 { return features.number_of_corners + features.number_of_curves + features.number_of_patches; }
 
-// Returns a sentence on features that are not kept; an empty string if all are.
-inline std::string sentence_on_features(const Hexahedral_mesh_features& features)
+// Returns a sentence on features that are not kept at a spacing; an empty string if all are.
+inline std::string sentence_on_features(const Hexahedral_mesh_features& features, const double spacing)
 {
+  constexpr double smaller = 0.75; // makes 2.4 times as many hexahedra; three of six bodies that lost features kept all with it
   if(number_of_kept(features) == number_of_features(features))
     return "";
   const auto& positions = !features.curves_given_up.empty() ? features.curves_given_up
@@ -112,7 +113,7 @@ inline std::string sentence_on_features(const Hexahedral_mesh_features& features
                   features.number_of_curves_kept, " of ", features.number_of_curves, " curves and ",
                   features.number_of_patches_kept, " of ", features.number_of_patches,
                   " patches of the boundary. One that is not kept is at ", describe(to_vector(positions[0])),
-                  ". To keep more, make the spacing smaller.");
+                  ". To keep more, make the spacing smaller, such as ", smaller * spacing, ".");
 }
 
 // Adds to the soup the edges with both vertices on one curve, with its reference, and the vertices at corners. Takes the length of
