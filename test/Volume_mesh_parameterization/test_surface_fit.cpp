@@ -84,6 +84,28 @@ Surface star(const double exponent, const double radius_of_core)
   return result;
 }
 
+// An L of three cubes, with vertices at its corners only.
+Surface angle_bracket()
+{
+  const std::array<std::array<double, 2>, 6> corners = {{ { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } }};
+  Surface result;
+  for(const double z : { 0., 1. })
+    for(const auto& [x, y] : corners)
+      result.points.push_back({ x, y, z });
+  for(const auto& [a, b, c] : std::vector<std::array<std::size_t, 3> >{ { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 4, 5 } })
+  {
+    result.triangles.push_back({ a, c, b });
+    result.triangles.push_back({ a + 6, b + 6, c + 6 });
+  }
+  for(std::size_t i = 0; i < 6; ++i)
+  {
+    const std::size_t j = (i + 1) % 6;
+    result.triangles.push_back({ i, j, j + 6 });
+    result.triangles.push_back({ i, j + 6, i + 6 });
+  }
+  return result;
+}
+
 // A torus of a grid.
 Surface torus(const int n)
 {
@@ -385,6 +407,20 @@ TEST_CASE("Edges of a coarse boundary are split until it is as close to its targ
   CHECK(other.points == coarse.points);
   CHECK(of_other.empty());
   CHECK_THROWS_AS(fitted(0, other, of_other), CGAL::Precondition_exception);
+}
+
+TEST_CASE("Edges of a target between its vertices are as close to the boundary as the tolerance")
+{
+  const Surface target = angle_bracket();
+  VMP::Tetrahedron_soup_3 mesh = cube(6);
+  Points uvw;
+  const VMP::Parameterization_result result = CGAL::stretch_minimizing_volume_parameterization(
+    mesh, uvw, params::boundary_parameterizer(Fit(target.points, target.triangles, {}, 0.1))
+                      .refinement_mode(VMP::Refinement_mode::BOUNDARY));
+  REQUIRE(result.status == VMP::OK);
+  const VMP::Surface_fit_3 fit = VMP::measure_surface_fit(uvw, mesh.cells, target.points, target.triangles);
+  CHECK(fit.largest_distance_from_surface < 0.11);
+  CHECK(fit.number_of_turned_facets == 0);
 }
 
 TEST_CASE("A boundary is refused on a surface that intersects itself")

@@ -35,8 +35,8 @@ target, the vertices of the limb spread out, and more vertices of the boundary r
 All vertices are on the target. Edges of the image are chords, and leave the target where it bends. `measure_surface_fit()`
 measures both distances. With a tolerance and `Refinement_mode::BOUNDARY`,
 `CGAL::stretch_minimizing_volume_parameterization()` splits edges of the boundary. It ends when midpoints of edges are at most this
-far from the target, and vertices of the target at most this far from the image. No new vertex turns a facet over or makes facets
-intersect each other.
+far from the target, and points on edges of the target, examined at this distance from each other, at most this far from the image.
+No new vertex turns a facet over or makes facets intersect each other.
 
 The images of the boundary are starting points: vertices slide on the target if the call for a map is repeated with
 `Vertex_condition_3::on_surface()` for the boundary. This lowers the energy, but facets may be turned over or intersect each other

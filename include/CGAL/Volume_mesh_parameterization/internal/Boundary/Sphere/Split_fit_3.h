@@ -30,12 +30,14 @@ public:
       m_triangulated_target(triangulated_target)
   {}
 
-  // Splits edges until no midpoint of an edge, and no vertex of the target, is farther than the tolerance from the other surface.
+  // Splits edges until no midpoint of an edge, and no point of an edge of the target, is farther than the tolerance from the other
+  // surface; of edges of the target, points are examined whose distance is the tolerance.
   // Returns whether this succeeds before there are too many vertices, or only edges that cannot be split.
   bool split(const double tolerance, const Budget& budget)
   {
     constexpr std::size_t largest_growth = 20; // a guess
     const std::size_t maximum = largest_growth * (m_fit.surface.points.size() + m_target.surface->points.size());
+    examine_edges_of_target(tolerance);
     while(budget.may_begin_round(Phase::BOUNDARY, "splits of a fitted boundary"))
     {
       const Edges edges = edges_beyond(tolerance);
@@ -63,8 +65,28 @@ private:
     Matched_features_3 features;
   };
 
+  // Collects the vertices of the target, and points on its edges at most a distance apart, with their directions.
+  void examine_edges_of_target(const double distance)
+  {
+    constexpr double largest_number = 1000; // on an edge; a guess
+    const std::vector<Vector_3>& points = m_target.surface->points;
+    for(std::size_t v = 0; v < points.size(); ++v)
+      m_examined.emplace_back(points[v], m_target.directions[v]);
+    for(const std::array<std::size_t, 3>& facet : m_target.surface->facets)
+      for(std::size_t i = 0; i < 3; ++i)
+        if(const std::size_t v = facet[i], w = facet[(i + 1) % 3]; v < w)
+        {
+          const double number = (std::min)(largest_number, std::ceil((points[w] - points[v]).norm() / distance));
+          const auto between = [&](const std::vector<Vector_3>& of_vertices, const double part) -> Vector_3
+          { return (1 - part) * of_vertices[v] + part * of_vertices[w]; };
+          for(double k = 1; k < number; ++k)
+            m_examined.emplace_back(between(points, k / number), between(m_target.directions, k / number).normalized());
+        }
+  }
+
   // Returns the edges whose images have midpoints farther than a distance from the target, and the longest edges of the facets
-  // that cover vertices of the target this far from the image; also edges that must be split with them. Longer ones come first.
+  // that cover examined points of the target this far from the image; also edges that must be split with them. Longer ones come
+  // first.
   Edges edges_beyond(const double distance) const
   {
     Numbered_surface_3 image;
@@ -85,10 +107,10 @@ private:
                      : is_beyond(m_on_target, (m_fit.images[v] + m_fit.images[w]) / 2))
         edges.push_back(e);
     }
-    for(std::size_t v = 0; v < m_target.directions.size(); ++v)
-      if(is_beyond(on_image, m_target.surface->points[v]))
+    for(const auto& [point, direction] : m_examined)
+      if(is_beyond(on_image, point))
       {
-        const auto [a, b, c] = image.facets[on_image.facet_in_direction(m_target.directions[v])];
+        const auto [a, b, c] = image.facets[on_image.facet_in_direction(direction)];
         edges.push_back(longest_edge(m_fit.mesh, m_fit.mesh.halfedge(vertex_index(a), vertex_index(b)), lengths));
       }
     edges = with_longest_edges(m_fit.mesh, edges, lengths);
@@ -185,6 +207,7 @@ private:
   bool m_holds_features;
   Surface_on_sphere_3 m_on_target;
   const Triangulated_surface_3& m_triangulated_target;
+  std::vector<std::pair<Vector_3, Vector_3> > m_examined; // points of the target, with their directions
 };
 
 } // namespace CGAL::Volume_mesh_parameterization::internal
