@@ -300,8 +300,8 @@ inline std::vector<std::string> keys(const std::string& json)
 inline const std::vector<std::string> report_keys = {
   "status", "status_code", "has_valid_map", "version",
   "options", "source", "target", "to", "polycube_axes", "improve", "cell_size", "tetrahedra", "features", "regions", "landmarks",
-  "tolerance", "merge_points", "fill_voids", "separate", "displacements", "staircases", "others", "inside", "conditions",
-  "initial", "boundary", "refine", "slide", "energy",
+  "tolerance", "merge_points", "fill_voids", "leave_out_flat_cells", "separate", "displacements", "staircases", "others", "inside",
+  "conditions", "initial", "boundary", "refine", "slide", "energy",
   "volume_weights", "energy_tolerance", "reference_scale", "max_angle_distortion", "minimize_max_angle_distortion",
   "solver", "threads", "max_iterations", "time_limit",
   "vertices", "cells", "boundary_vertices", "added_vertices", "added_boundary_vertices", "sliding_vertices",

@@ -155,6 +155,21 @@ TEST_CASE("Reversed cells are turned also if others are flat")
   CHECK(folder.text("stderr") == "");
 }
 
+TEST_CASE("Flat cells at the boundary are left out on request, as advised")
+{
+  const Folder folder;
+  Soup source; // two cells below a triangle with a vertex on an edge, and a flat cell on this triangle
+  source.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0.5, -1}};
+  source.cells = {{0, 3, 1, 2}, {0, 2, 3, 4}, {3, 2, 1, 4}};
+  source.cell_references = {1, 1, 1};
+  folder.write("source.mesh", source);
+  CHECK(folder.run("source.mesh --improve -o map.mesh") == 2);
+  CHECK(folder.text("stderr").find("--leave-out-flat-cells leaves out flat cells at the boundary") != std::string::npos);
+  REQUIRE(folder.run("source.mesh --improve --leave-out-flat-cells -o map.mesh") == 0);
+  CHECK(folder.text("stderr").find("note: source.mesh: 1 flat cell at the boundary is left out.") == 0);
+  CHECK(folder.soup("map.mesh").cells.size() == 2);
+}
+
 TEST_CASE("A tangled mesh is improved within its boundary")
 {
   const Folder folder;

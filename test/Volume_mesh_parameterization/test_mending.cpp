@@ -93,6 +93,54 @@ TEST_CASE("Cells with the same vertices become the first of them, with the refer
   CHECK((soup.notes.size() == 1 && soup.cell_data.size() == 3));
 }
 
+// Two cells below the triangle a b d, whose edge a b has the vertex m, and a flat cell that covers them.
+Soup cells_below_flat_one()
+{
+  Soup soup;
+  soup.points = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, 0, 0}, {1, 0.5, -1}, {1, 0.5, 1}}; // a, b, d, m, below, above
+  soup.cells = {{0, 3, 1, 2}, {0, 2, 3, 4}, {3, 2, 1, 4}};
+  soup.cell_references = {1, 2, 3};
+  soup.facets = {{0, 1, 2}, {0, 3, 4}};
+  soup.facet_references = {4, 5};
+  return soup;
+}
+
+TEST_CASE("Flat cells are left out where the boundary stays")
+{
+  Soup soup = cells_below_flat_one();
+  CHECK(VMP::remove_flat_boundary_cells(soup) == 1);
+  CHECK(soup.cells == std::vector<std::array<std::size_t, 4> >{{0, 2, 3, 4}, {3, 2, 1, 4}});
+  CHECK(soup.cell_references == std::vector<int>{2, 3});
+  CHECK(soup.facets == std::vector<std::array<std::size_t, 3> >{{0, 3, 4}});
+  CHECK(soup.facet_references == std::vector<int>{5});
+  REQUIRE(soup.notes.size() == 1);
+  CHECK(soup.notes[0].find("1 flat cell at the boundary is left out.") == 0);
+  CHECK(VMP::remove_flat_boundary_cells(soup) == 0);
+  CHECK(soup.notes.size() == 1);
+
+  Soup slit = cells_below_flat_one();
+  slit.cells.push_back({0, 1, 2, 5}); // without the flat cell, both sides of a b d would be on the boundary
+  slit.cell_references.push_back(6);
+  CHECK(VMP::remove_flat_boundary_cells(slit) == 0);
+  CHECK(slit.cells.size() == 4);
+
+  // a square with two triangles on either side, then one whose three triangles have a point inside
+  for(const std::array<double, 3> fourth : { std::array<double, 3>{2, 2, 0}, std::array<double, 3>{0.5, 0.25, 0} })
+  {
+    Soup layers;
+    layers.points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, fourth, {0.5, 0.5, -1}};
+    layers.cells = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+    layers.cell_references = {1, 1};
+    if(fourth[0] == 2)
+    {
+      layers.cells.push_back({1, 3, 2, 4});
+      layers.cell_references.push_back(1);
+    }
+    CHECK(VMP::remove_flat_boundary_cells(layers) == 1);
+    CHECK(layers.cells.front() == std::array<std::size_t, 4>{0, 1, 2, 4});
+  }
+}
+
 TEST_CASE("Marks with a vertex twice are left out, and this is noted")
 {
   Soup soup = two_cells();

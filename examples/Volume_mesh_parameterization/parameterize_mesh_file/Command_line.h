@@ -27,6 +27,7 @@ struct Options
   int number_of_threads = 1, number_of_iterations = 0;
   double cell_size = 0, joining_distance = 0, tolerance = 0, energy_tolerance = 0, maximum_angle_distortion = 0, time_limit = 0;
   bool do_improve = false, do_merge_points = false, do_separate = false, do_fill_voids = false;
+  bool do_leave_out_flat_cells = false;
   bool are_displacements = false, do_slide = false;
   bool use_volume_weights = false, minimize_maximum_angle_distortion = false, is_quiet = false;
 };
@@ -169,6 +170,8 @@ inline Command_line command_line(Options& options)
      "the largest edges, about, of the tetrahedra that Gmsh makes of a body, in the unit of its file")
     ("fill-voids", po::bool_switch(&options.do_fill_voids),
      "fill voids inside of a body, which balls, boxes and polycubes do not have")
+    ("leave-out-flat-cells", po::bool_switch(&options.do_leave_out_flat_cells),
+     "leave out flat cells at the boundary of a mesh if the boundary consists of the same points without them")
     ("merge-points", po::value(&options.joining_distance)->value_name("DISTANCE"),
      "without a value: join cells at points with the same coordinates. With a distance: join points on the boundary of a mesh, "
      "and at gaps of surfaces, SOURCE or that of --to, that are at most this far from each other, in the unit of the file. "

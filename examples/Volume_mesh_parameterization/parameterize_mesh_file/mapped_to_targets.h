@@ -214,7 +214,9 @@ inline void complete_message(const Mapped_mesh& mapped, const Options& options, 
   result.message = with_names_of_options(result.message);
   if(options.do_improve) // which has no targets
     boost::replace_all(result.message, "Move one of its targets off the line.",
-                       "Flip an edge of this facet, or move one of the vertices off the line; or mesh the body anew.");
+                       options.do_leave_out_flat_cells
+                         ? "Flip an edge of this facet, or move one of the vertices off the line; or mesh the body anew."
+                         : "--leave-out-flat-cells leaves out flat cells at the boundary that it does not need.");
   if(result.status == VMP::ERROR_INVERTED_TARGET_BOUNDARY && !options.are_displacements && !options.target.empty())
     result.message += advice_for_inverted_target(mapped);
   if(result.status == VMP::ERROR_INVERTED_SOURCE_CELL)
@@ -252,19 +254,38 @@ inline std::string note_of_features_given_up(const PM::Polycube_result& polycube
   return result.str();
 }
 
-// Warns of landmarks that are far from their points, compared with the size of the surface.
-inline std::string note_on_landmarks(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
+// Returns a distance in diagonals of the box of a surface if it is large, and 0 otherwise.
+inline double large_part_of(const VMP::Tetrahedron_soup_3& surface, const double distance)
 {
   constexpr double large_part = 0.05; // a guess
   CGAL::Bbox_3 box;
   for(const auto& [x, y, z] : surface.points)
     box += CGAL::Bbox_3(x, y, z, x, y, z);
-  const double part = fit.largest_distance_of_landmarks / std::hypot(box.x_span(), box.y_span(), box.z_span());
-  if(!(part > large_part))
+  const double part = distance / std::hypot(box.x_span(), box.y_span(), box.z_span());
+  return part > large_part ? part : 0;
+}
+
+// Warns of landmarks that are far from their points, compared with the size of the surface.
+inline std::string note_on_landmarks(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
+{
+  const double part = large_part_of(surface, fit.largest_distance_of_landmarks);
+  if(part == 0)
     return "";
   std::ostringstream result;
   result << "A landmark is " << fit.largest_distance_of_landmarks << " away from its point, " << part
          << " times the diagonal of the surface. Its points may be exchanged with others. Check the file, or add landmarks";
+  return result.str();
+}
+
+// Warns of parts of a surface that are far from the boundary, compared with the size of the surface.
+inline std::string note_on_distance(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
+{
+  const double part = large_part_of(surface, fit.largest_distance_from_surface);
+  if(part == 0)
+    return "";
+  std::ostringstream result;
+  result << "A part of the surface is " << fit.largest_distance_from_surface << " away from the boundary, " << part
+         << " times the diagonal of the surface. The boundary has no vertices there. --tolerance DISTANCE and --refine add some";
   return result.str();
 }
 

@@ -197,6 +197,16 @@ inline void merge_cells(Source& source)
   source.notes.push_back(source.soup.notes.back());
 }
 
+inline void leave_out_flat_cells(Source& source)
+{
+  VMP::Tetrahedron_soup_3 before = source.soup;
+  if(VMP::remove_flat_boundary_cells(source.soup) == 0)
+    return;
+  if(!source.unmended)
+    source.unmended = std::move(before);
+  source.notes.push_back(source.soup.notes.back());
+}
+
 // Counts boundary vertices with the same coordinates: perhaps the body should be one there. Facets are matched only where any
 // points coincide, as this takes far longer.
 inline void count_coinciding_points(Source& source)
@@ -230,6 +240,8 @@ inline Source mended_source(VMP::Tetrahedron_soup_3 soup, const Options& options
   if(options.do_merge_points && !is_body_name(options.source))
     merge_points(source);
   merge_cells(source);
+  if(options.do_leave_out_flat_cells)
+    leave_out_flat_cells(source);
   turn_cells(source, options.do_improve);
   if(options.do_separate)
     separate(source);

@@ -222,7 +222,10 @@ Outcome run(const Options& options, Progress_line& progress)
     outcome.surface_fit = VMP::measure_surface_fit(mapped.uvw, mesh.cells, mapped.surface.points, mapped.surface.facets,
                                                    landmarks);
   if(outcome.surface_fit)
+  {
     print_note(options.landmarks, note_on_landmarks(mapped.surface, *outcome.surface_fit));
+    print_note(options.domain, note_on_distance(mapped.surface, *outcome.surface_fit));
+  }
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;
   if(has_file && outcome.exit_code == SUCCESS && !target.is_boundary_free && !options.do_slide

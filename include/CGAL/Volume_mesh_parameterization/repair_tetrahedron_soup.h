@@ -97,7 +97,6 @@ inline std::vector<std::size_t> first_coinciding_points(const std::vector<std::a
   return result;
 }
 
-// Returns, for each cell, the first one with its four vertices.
 // Returns for each point the first one of those that it is joined to, if points with the same coordinates are joined, and then
 // points of the boundary up to a distance. Throws if a cell would lose a vertex.
 inline std::vector<std::size_t> first_points_at_tears(const Tetrahedron_soup_3& soup, const std::vector<std::size_t>& coinciding,
@@ -121,6 +120,7 @@ inline std::vector<std::size_t> first_points_at_tears(const Tetrahedron_soup_3& 
   return result;
 }
 
+// Returns, for each cell, the first one with its four vertices.
 inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::array<std::size_t, 4> >& cells,
                                                        const bool is_parallel)
 {
@@ -133,6 +133,89 @@ inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::ar
   }, is_parallel);
   return result;
 }
+
+// Returns the orientations of the facets of a flat cell in its plane: opposite ones on both sides, 0 if vertices are collinear.
+inline std::array<int, 4> orientations_in_plane(const std::array<std::array<double, 3>, 4>& p)
+{
+  std::array<int, 4> result = {};
+  for(std::size_t axis = 0; axis < 3 && result == std::array<int, 4>{}; ++axis) // along which the plane is projected
+  {
+    const auto point = [&](const int i)
+    { return Exact_predicates_inexact_constructions_kernel::Point_2(p[i][(axis + 1) % 3], p[i][(axis + 2) % 3]); };
+    for(std::size_t side = 0; side < 4; ++side)
+    {
+      const auto& [i, j, k] = facets_of_cell[side];
+      result[side] = CGAL::orientation(point(i), point(j), point(k));
+    }
+  }
+  return result;
+}
+
+// Flat cells whose facets on the boundary cover the same points as the other ones, which are on the boundary without them.
+class Flat_boundary_cells_3
+{
+public:
+  explicit Flat_boundary_cells_3(const Tetrahedron_soup_3& soup) : m_soup(soup)
+  {
+    for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    {
+      std::array<std::array<double, 3>, 4> p;
+      for(std::size_t i = 0; i < 4; ++i)
+        p[i] = soup.points[soup.cells[c][i]];
+      if(CGAL::orientation(exact_point(p[0]), exact_point(p[1]), exact_point(p[2]), exact_point(p[3])) != CGAL::COPLANAR)
+        continue;
+      m_orientations.emplace(c, orientations_in_plane(p));
+      for(std::size_t side = 0; side < 4; ++side)
+        m_numbers_of_cells[facet(c, side)] = 0;
+    }
+    for(std::size_t c = 0; c < soup.cells.size() && !m_orientations.empty(); ++c)
+      for(std::size_t side = 0; side < 4; ++side)
+        if(const auto found = m_numbers_of_cells.find(facet(c, side)); found != m_numbers_of_cells.end())
+          ++found->second;
+  }
+
+  // Returns those that can be removed one after the other.
+  std::set<std::size_t> run()
+  {
+    std::set<std::size_t> result;
+    for(std::size_t before = 1; before != result.size(); )
+    {
+      before = result.size();
+      for(const auto& [c, orientations] : m_orientations)
+        if(result.count(c) == 0 && can_be_removed(c, orientations))
+        {
+          result.insert(c);
+          for(std::size_t side = 0; side < 4; ++side)
+            --m_numbers_of_cells[facet(c, side)];
+        }
+    }
+    return result;
+  }
+
+private:
+  std::array<std::size_t, 3> facet(const std::size_t c, const std::size_t side) const
+  {
+    const auto& [i, j, k] = facets_of_cell[side];
+    return sorted(std::array{ m_soup.cells[c][i], m_soup.cells[c][j], m_soup.cells[c][k] });
+  }
+
+  bool can_be_removed(const std::size_t c, const std::array<int, 4>& orientations) const
+  {
+    bool has_boundary = false;
+    std::set<int> signs; // of facets on the boundary, and the opposite ones of the others
+    for(std::size_t side = 0; side < 4; ++side)
+    {
+      const bool is_on_boundary = m_numbers_of_cells.at(facet(c, side)) == 1;
+      has_boundary = has_boundary || is_on_boundary;
+      signs.insert(is_on_boundary ? orientations[side] : -orientations[side]);
+    }
+    return has_boundary && signs.size() - signs.count(0) <= 1;
+  }
+
+  const Tetrahedron_soup_3& m_soup;
+  std::map<std::size_t, std::array<int, 4> > m_orientations; // of the facets of each flat cell
+  std::map<std::array<std::size_t, 3>, int> m_numbers_of_cells; // at each facet of flat cells
+};
 
 // The cell data with the reference number `i` of cells in several groups.
 inline std::string name_of_reference(const std::size_t i) { return "reference_" + std::to_string(i); }
@@ -246,6 +329,43 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
         + (number_of_references == 2 ? "'" : "' to '" + internal::name_of_reference(number_of_references) + "'")
         + ", which files *.vtu and *.msh contain"));
   return first;
+}
+
+/// \ingroup PkgVolumeMeshParameterizationIO
+///
+/// removes flat cells at the boundary if the boundary consists of the same points without them, and adds a note to the soup.
+/// Delaunay triangulations have such cells where points of the boundary are in a plane or on a line. Flat cells inside stay.
+/// Marked facets of cells that go do so, too.
+///
+/// \return the number of cells that were removed
+///
+/// \exception Input_error as the functions for arrays; the soup is then unchanged.
+inline std::size_t remove_flat_boundary_cells(Tetrahedron_soup_3& soup)
+{
+  internal::check_simplices(soup);
+  const std::set<std::size_t> removed = internal::Flat_boundary_cells_3(soup).run();
+  if(removed.empty())
+    return 0;
+  std::vector<std::size_t> kept, kept_facets;
+  for(std::size_t c = 0; c < soup.cells.size(); ++c)
+    if(removed.count(c) == 0)
+      kept.push_back(c);
+  internal::keep_elements(kept, soup.cells);
+  internal::keep_elements(kept, soup.cell_references);
+  internal::keep_elements(kept, soup.cell_data);
+  std::set<std::array<std::size_t, 3> > facets;
+  for(const std::array<std::size_t, 4>& cell : soup.cells)
+    for(const auto& [i, j, k] : internal::facets_of_cell)
+      facets.insert(internal::sorted(std::array{ cell[i], cell[j], cell[k] }));
+  for(std::size_t f = 0; f < soup.facets.size(); ++f)
+    if(facets.count(internal::sorted(soup.facets[f])) > 0)
+      kept_facets.push_back(f);
+  internal::keep_elements(kept_facets, soup.facets);
+  internal::keep_elements(kept_facets, soup.facet_references);
+  internal::keep_elements(kept_facets, soup.facet_data);
+  soup.notes.push_back(internal::counted(removed.size(), "flat cell at the boundary is", "flat cells at the boundary are")
+                       + " left out. The boundary consists of the same points");
+  return removed.size();
 }
 
 /// \ingroup PkgVolumeMeshParameterizationIO
