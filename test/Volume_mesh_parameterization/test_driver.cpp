@@ -217,7 +217,7 @@ TEST_CASE("A note says that a part of a surface is far from the boundary, and it
   folder.write("source.mesh", cube(4));
   folder.write("angle.off", "OFF\n12 8 0\n0 0 0\n2 0 0\n2 1 0\n1 1 0\n1 2 0\n0 2 0\n0 0 1\n2 0 1\n2 1 1\n1 1 1\n1 2 1\n0 2 1\n"
     "6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n4 0 1 7 6\n4 1 2 8 7\n4 2 3 9 8\n4 3 4 10 9\n4 4 5 11 10\n4 5 0 6 11\n");
-  const std::string note = "note: angle.off: A part of the surface is ";
+  const std::string note = "note: angle.off: A part of the surface is away from the boundary by ";
   REQUIRE(folder.run("source.mesh --to angle.off -o map.mesh") == 0);
   CHECK(folder.text("stderr").find(note) != std::string::npos);
   REQUIRE(folder.run("source.mesh --to angle.off --tolerance 0.1 -o map.mesh") == 0);

@@ -254,39 +254,25 @@ inline std::string note_of_features_given_up(const PM::Polycube_result& polycube
   return result.str();
 }
 
-// Returns a distance in diagonals of the box of a surface if it is large, and 0 otherwise.
-inline double large_part_of(const VMP::Tetrahedron_soup_3& surface, const double distance)
+// Returns notes on landmarks, and on parts of a surface, if they are far from the boundary compared with the size of the surface.
+inline std::array<std::string, 2> notes_on_fit(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
 {
   constexpr double large_part = 0.05; // a guess
   CGAL::Bbox_3 box;
   for(const auto& [x, y, z] : surface.points)
     box += CGAL::Bbox_3(x, y, z, x, y, z);
-  const double part = distance / std::hypot(box.x_span(), box.y_span(), box.z_span());
-  return part > large_part ? part : 0;
-}
-
-// Warns of landmarks that are far from their points, compared with the size of the surface.
-inline std::string note_on_landmarks(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
-{
-  const double part = large_part_of(surface, fit.largest_distance_of_landmarks);
-  if(part == 0)
-    return "";
-  std::ostringstream result;
-  result << "A landmark is " << fit.largest_distance_of_landmarks << " away from its point, " << part
-         << " times the diagonal of the surface. Its points may be exchanged with others. Check the file, or add landmarks";
-  return result.str();
-}
-
-// Warns of parts of a surface that are far from the boundary, compared with the size of the surface.
-inline std::string note_on_distance(const VMP::Tetrahedron_soup_3& surface, const VMP::Surface_fit_3& fit)
-{
-  const double part = large_part_of(surface, fit.largest_distance_from_surface);
-  if(part == 0)
-    return "";
-  std::ostringstream result;
-  result << "A part of the surface is " << fit.largest_distance_from_surface << " away from the boundary, " << part
-         << " times the diagonal of the surface. The boundary has no vertices there. --tolerance DISTANCE and --refine add some";
-  return result.str();
+  const auto note = [&](const std::string& what, const double distance, const std::string& advice)
+  {
+    const double part = distance / std::hypot(box.x_span(), box.y_span(), box.z_span());
+    std::ostringstream result;
+    if(part > large_part)
+      result << what << distance << ", " << part << " times the diagonal of the surface. " << advice;
+    return result.str();
+  };
+  return { note("A landmark is away from its point by ", fit.largest_distance_of_landmarks,
+                "Its points may be exchanged with others. Check the file, or add landmarks"),
+           note("A part of the surface is away from the boundary by ", fit.largest_distance_from_surface,
+                "The boundary has no vertices there. --tolerance DISTANCE and --refine add some") };
 }
 
 inline Mapped_mesh mapped_to_targets(Mapped_mesh mapped, const Options& options, const Landmarks& landmarks,

@@ -223,8 +223,9 @@ Outcome run(const Options& options, Progress_line& progress)
                                                    landmarks);
   if(outcome.surface_fit)
   {
-    print_note(options.landmarks, note_on_landmarks(mapped.surface, *outcome.surface_fit));
-    print_note(options.domain, note_on_distance(mapped.surface, *outcome.surface_fit));
+    const auto [of_landmarks, of_surface] = notes_on_fit(mapped.surface, *outcome.surface_fit);
+    print_note(options.landmarks, of_landmarks);
+    print_note(options.domain, of_surface);
   }
   outcome.number_of_targets_inside = number_of_met_targets(target, mapped.uvw);
   outcome.number_of_missed_targets = target.inside.size() - outcome.number_of_targets_inside;

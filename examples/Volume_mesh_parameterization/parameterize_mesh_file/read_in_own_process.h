@@ -11,6 +11,9 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#ifdef __linux__
+#  include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -30,7 +33,7 @@
 #include <string_view>
 #include <system_error>
 
-// Child of this process. The destructor kills it.
+// Child of this process. The destructor kills it; on Linux, it does not outlive this process either.
 class Child_process
 {
 public:
@@ -38,6 +41,10 @@ public:
   {
     if(m_id < 0)
       throw std::runtime_error(std::string("no process can be made to read files: ") + std::strerror(errno));
+#ifdef __linux__
+    if(is_this_one())
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
   }
 
   Child_process(const Child_process&) = delete;
@@ -197,8 +204,10 @@ read_in_own_process(const std::string& filename, const std::string& library, con
   }
   close(ends[1]);
   const std::string advice = makes_mesh ? "Larger cells (--cells) need less time" : "The file may be damaged";
-  const Interruption in_mesher = { library + " has made no mesh yet. " + advice + "." };
-  std::string bytes = bytes_of_pipe(ends[0], progress, makes_mesh ? in_mesher : Interruption());
+  Interruption interruption;
+  if(makes_mesh)
+    interruption.sentence = library + " has made no mesh yet. " + advice + ".";
+  std::string bytes = bytes_of_pipe(ends[0], progress, interruption);
   close(ends[0]);
   const int status = child.status();
   if(WIFEXITED(status) && WEXITSTATUS(status) == MESH_READ)

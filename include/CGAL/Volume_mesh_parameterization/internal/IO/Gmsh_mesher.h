@@ -239,9 +239,9 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
   std::array<double, 3> low, high;
   gmsh::model::getBoundingBox(-1, -1, low[0], low[1], low[2], high[0], high[1], high[2]);
   const double diagonal = (to_vector(high) - to_vector(low)).norm();
-  double size, smallest_size, edges_of_script;
+  double size, least_size, edges_of_script;
   gmsh::option::getNumber("Mesh.MeshSizeMax", size);
-  gmsh::option::getNumber("Mesh.MeshSizeMin", smallest_size);
+  gmsh::option::getNumber("Mesh.MeshSizeMin", least_size);
   gmsh::option::getNumber("Mesh.MeshSizeFromCurvature", edges_of_script);
   if(size > diagonal)
     size = diagonal / 20;
@@ -262,8 +262,8 @@ inline std::string generate_tetrahedra(const Gmsh_attempt& attempt)
     const int number_of_edges = attempt.is_second() ? 24 : 8;
     gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", number_of_edges);
     // elsewhere, as at tiny fillets and where a spline folds, curvature asks for cells without end
-    const double smallest = thin.empty() ? size : *std::min_element(thin.begin(), thin.end());
-    gmsh::option::setNumber("Mesh.MeshSizeMin", (std::max)(smallest_size, CGAL_PI * smallest / number_of_edges));
+    const double thinnest = thin.empty() ? size : *std::min_element(thin.begin(), thin.end());
+    gmsh::option::setNumber("Mesh.MeshSizeMin", (std::max)(least_size, CGAL_PI * thinnest / number_of_edges));
     if(!thin.empty())
       note = counted(thin.size(), "cylinder or sphere has", "cylinders and spheres have") + " a smaller diameter than the cells. ";
     note += "Cells are smaller at curved faces, with " + std::to_string(number_of_edges) + " edges around a circle";

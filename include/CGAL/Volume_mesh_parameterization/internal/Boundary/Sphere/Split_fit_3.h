@@ -37,7 +37,7 @@ public:
   {
     constexpr std::size_t largest_growth = 20; // a guess
     const std::size_t maximum = largest_growth * (m_fit.surface.points.size() + m_target.surface->points.size());
-    examine_edges_of_target(tolerance);
+    examine_edges_of_target(tolerance, maximum);
     while(budget.may_begin_round(Phase::BOUNDARY, "splits of a fitted boundary"))
     {
       const Edges edges = edges_beyond(tolerance);
@@ -65,23 +65,31 @@ private:
     Matched_features_3 features;
   };
 
-  // Collects the vertices of the target, and points on its edges at most a distance apart, with their directions.
-  void examine_edges_of_target(const double distance)
+  // Collects the vertices of the target, and points on its edges at most a distance apart, with their directions. The distance is
+  // larger if there were far more points than a number.
+  void examine_edges_of_target(double distance, const std::size_t number)
   {
-    constexpr double largest_number = 1000; // on an edge; a guess
     const std::vector<Vector_3>& points = m_target.surface->points;
+    std::vector<std::array<std::size_t, 2> > edges;
+    double length = 0;
     for(std::size_t v = 0; v < points.size(); ++v)
       m_examined.emplace_back(points[v], m_target.directions[v]);
-    for(const std::array<std::size_t, 3>& facet : m_target.surface->facets)
-      for(std::size_t i = 0; i < 3; ++i)
-        if(const std::size_t v = facet[i], w = facet[(i + 1) % 3]; v < w)
+    for(const auto& [a, b, c] : m_target.surface->facets)
+      for(const std::array<std::size_t, 2>& edge : { std::array{ a, b }, { b, c }, { c, a } })
+        if(edge[0] < edge[1])
         {
-          const double number = (std::min)(largest_number, std::ceil((points[w] - points[v]).norm() / distance));
-          const auto between = [&](const std::vector<Vector_3>& of_vertices, const double part) -> Vector_3
-          { return (1 - part) * of_vertices[v] + part * of_vertices[w]; };
-          for(double k = 1; k < number; ++k)
-            m_examined.emplace_back(between(points, k / number), between(m_target.directions, k / number).normalized());
+          edges.push_back(edge);
+          length += (points[edge[1]] - points[edge[0]]).norm();
         }
+    distance = (std::max)(distance, length / static_cast<double>(number));
+    for(const auto& [v, w] : edges)
+    {
+      const auto between = [v = v, w = w](const std::vector<Vector_3>& of_vertices, const double part) -> Vector_3
+      { return (1 - part) * of_vertices[v] + part * of_vertices[w]; };
+      const double parts = std::ceil((points[w] - points[v]).norm() / distance);
+      for(double k = 1; k < parts; ++k)
+        m_examined.emplace_back(between(points, k / parts), between(m_target.directions, k / parts).normalized());
+    }
   }
 
   // Returns the edges whose images have midpoints farther than a distance from the target, and the longest edges of the facets

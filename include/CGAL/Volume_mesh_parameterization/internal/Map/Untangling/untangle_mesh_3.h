@@ -16,6 +16,8 @@
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Infeasibility/prove_infeasibility_3.h>
 #include <CGAL/Volume_mesh_parameterization/internal/Map/Untangling/find_splits_3.h>
 
+#include <functional>
+
 namespace CGAL::Volume_mesh_parameterization::internal {
 
 // Makes one attempt after the other, and keeps the best images of all, with the prescribed vertices on their targets.
