@@ -54,7 +54,7 @@ TEST_CASE("values in random orders are those of Hildreth's method, and areas of 
         orders.push_back({first, second, number(0, 1)});
     }
     const auto [bases, offsets] = Closest_ordered_values(weights, wanted, orders).run();
-    std::vector<double> x = wanted, multipliers(orders.size(), 0), gradient(n, 0);
+    std::vector<double> x = wanted, multipliers(orders.size(), 0);
     for(int sweep = 0; sweep < 20000 && i % 2 == 0; ++sweep)
       for(std::size_t k = 0; k < orders.size(); ++k)
       {

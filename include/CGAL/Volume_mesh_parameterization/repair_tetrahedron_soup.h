@@ -135,10 +135,10 @@ inline std::vector<std::size_t> first_coinciding_cells(const std::vector<std::ar
 }
 
 // Returns the orientations of the facets of a flat cell in its plane: opposite ones on both sides, 0 if vertices are collinear.
-inline std::array<int, 4> orientations_in_plane(const std::array<std::array<double, 3>, 4>& p)
+inline std::array<int, 4> orientations_in_plane(const std::array<Exact_point_3, 4>& p)
 {
   std::array<int, 4> result = {};
-  for(std::size_t axis = 0; axis < 3 && result == std::array<int, 4>{}; ++axis) // along which the plane is projected
+  for(int axis = 0; axis < 3 && result == std::array<int, 4>{}; ++axis) // along which the plane is projected
   {
     const auto point = [&](const int i)
     { return Exact_predicates_inexact_constructions_kernel::Point_2(p[i][(axis + 1) % 3], p[i][(axis + 2) % 3]); };
@@ -157,24 +157,21 @@ class Flat_boundary_cells_3
 public:
   explicit Flat_boundary_cells_3(const Tetrahedron_soup_3& soup) : m_soup(soup)
   {
+    const std::vector<Orientation> orientations = orientations_of_cells(soup, false);
     for(std::size_t c = 0; c < soup.cells.size(); ++c)
-    {
-      std::array<std::array<double, 3>, 4> p;
-      for(std::size_t i = 0; i < 4; ++i)
-        p[i] = soup.points[soup.cells[c][i]];
-      if(CGAL::orientation(exact_point(p[0]), exact_point(p[1]), exact_point(p[2]), exact_point(p[3])) != CGAL::COPLANAR)
-        continue;
-      m_orientations.emplace(c, orientations_in_plane(p));
-      for(std::size_t side = 0; side < 4; ++side)
-        m_numbers_of_cells[facet(c, side)] = 0;
-    }
+      if(orientations[c] == CGAL::COPLANAR)
+      {
+        m_orientations.emplace(c, orientations_in_plane(cell_points(soup, c)));
+        for(std::size_t side = 0; side < 4; ++side)
+          m_numbers_of_cells[facet(c, side)] = 0;
+      }
     for(std::size_t c = 0; c < soup.cells.size() && !m_orientations.empty(); ++c)
       for(std::size_t side = 0; side < 4; ++side)
         if(const auto found = m_numbers_of_cells.find(facet(c, side)); found != m_numbers_of_cells.end())
           ++found->second;
   }
 
-  // Returns those that can be removed one after the other.
+  // Removes cells one after the other, as long as there are such ones, and returns them.
   std::set<std::size_t> run()
   {
     std::set<std::size_t> result;
@@ -190,6 +187,13 @@ public:
         }
     }
     return result;
+  }
+
+  // Returns whether all cells with a facet have been removed.
+  bool has_lost_cells(const std::array<std::size_t, 3>& facet) const
+  {
+    const auto found = m_numbers_of_cells.find(sorted(facet));
+    return found != m_numbers_of_cells.end() && found->second == 0;
   }
 
 private:
@@ -343,7 +347,8 @@ std::vector<std::size_t> merge_coinciding_cells(Tetrahedron_soup_3& soup)
 inline std::size_t remove_flat_boundary_cells(Tetrahedron_soup_3& soup)
 {
   internal::check_simplices(soup);
-  const std::set<std::size_t> removed = internal::Flat_boundary_cells_3(soup).run();
+  internal::Flat_boundary_cells_3 flat_cells(soup);
+  const std::set<std::size_t> removed = flat_cells.run();
   if(removed.empty())
     return 0;
   std::vector<std::size_t> kept, kept_facets;
@@ -353,12 +358,8 @@ inline std::size_t remove_flat_boundary_cells(Tetrahedron_soup_3& soup)
   internal::keep_elements(kept, soup.cells);
   internal::keep_elements(kept, soup.cell_references);
   internal::keep_elements(kept, soup.cell_data);
-  std::set<std::array<std::size_t, 3> > facets;
-  for(const std::array<std::size_t, 4>& cell : soup.cells)
-    for(const auto& [i, j, k] : internal::facets_of_cell)
-      facets.insert(internal::sorted(std::array{ cell[i], cell[j], cell[k] }));
   for(std::size_t f = 0; f < soup.facets.size(); ++f)
-    if(facets.count(internal::sorted(soup.facets[f])) > 0)
+    if(!flat_cells.has_lost_cells(soup.facets[f]))
       kept_facets.push_back(f);
   internal::keep_elements(kept_facets, soup.facets);
   internal::keep_elements(kept_facets, soup.facet_references);

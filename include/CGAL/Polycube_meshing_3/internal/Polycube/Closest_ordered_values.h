@@ -40,8 +40,7 @@ public:
   // Takes positive weights, and orders that do not contradict each other.
   Closest_ordered_values(const std::vector<double>& weights, const std::vector<double>& wanted,
                          const std::vector<Order_of_coordinates>& orders)
-    : m_weights(weights), m_wanted(wanted), m_orders(orders), m_values(wanted), m_multipliers(orders.size(), 0),
-      m_trees(wanted.size())
+    : m_weights(weights), m_wanted(wanted), m_orders(orders), m_values(wanted), m_multipliers(orders.size(), 0)
   {}
 
   // Enforces the order that is violated most, until none is violated by more than rounding, and returns the values.
